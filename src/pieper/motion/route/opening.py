@@ -18,9 +18,9 @@ from pieper.motion.route.setting import Setting, limits_of_axes, setting
 WIDEST, WIDEST_CONE, FARTHEST = np.pi, np.radians(40.0), 0.3
 #: How often a change is halved, and how many joints are tried.
 HALVINGS, JOINTS = 5, 2
-#: How often what was found is made smaller by routes themselves, between it and which part of it; of a cone, where more
-#: is free and each takes longer, less often. Nearer than `NEARLY` it need not be.
-SMALLER, SMALLER_CONE, NEARLY = (7, 1e-3), (4, 0.05), 1.05
+#: How often what was found is made smaller by routes themselves, between it and one of how many parts of it; of a cone,
+#: where more is free and each takes longer, less often. Nearer than `NEARLY` it need not be.
+SMALLER, SMALLER_CONE, NEARLY = (7, 1000), (4, 20), 1.05
 #: Points of the path that are looked at to see whether a change lets a route through; the change found is tried whole.
 POINTS = 26
 #: Changes are told this much larger than found.
@@ -131,7 +131,7 @@ def _least(
     most: float,
     least: float,
     halvings: int = HALVINGS,
-    smaller: tuple[int, float] = SMALLER,
+    smaller: tuple[int, int] = SMALLER,
 ) -> float | None:
     """Return the smallest change up to `most` with which there is a route, nearly; None where there is none."""
     if not _opens(changed(most)):
@@ -154,9 +154,9 @@ def _least(
     return None
 
 
-def _smaller(opens: Callable[[float], bool], amount: float, least: float, times: int, part: float) -> float:
+def _smaller(opens: Callable[[float], bool], amount: float, least: float, times: int, parts: int) -> float:
     """Return a change below one that lets a route through, which does too: even turns see only large ones."""
-    low, high = max(least, part * amount), amount
+    low, high = max(least, amount / parts), amount
     for _ in range(times):
         middle = float(np.sqrt(low * high))
         if high < NEARLY * low:
