@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +31,19 @@ def write(state: dict[str, Any], path: Path, indent: int | None = None) -> None:
     """Write a result with the commit that was measured last."""
     state["commit"] = commit()
     write_text(json.dumps(state, indent=indent) + "\n", path)
+
+
+@contextmanager
+def held() -> Iterator[None]:
+    """Keep others from writing results: what one reads, adds to and writes is not taken back by one who read before."""
+    import fcntl
+
+    folder = os.open(RESULTS, os.O_RDONLY)
+    try:
+        fcntl.flock(folder, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(folder)
 
 
 def write_text(text: str, path: Path) -> None:

@@ -6,6 +6,7 @@ python -m static_page.build OUT [NAME ...]
 from __future__ import annotations
 
 import base64
+import gzip
 import json
 import sys
 from html import escape
@@ -80,7 +81,9 @@ def build(out: Path, names: list[str], code: bytes | None = None) -> int:
     said = {"identity": identity.both_themes(), "icon": identity.icon_address()}
     for name, text in {**said, "wordmark": identity.identity()["wordmark"]}.items():
         page = page.replace("{{" + name + "}}", text)
-    begun = {"kernel": base64.b64encode(code or kernel()).decode(), "axes": identity.axes()}
+    # packed before it is made letters: letters of what is not packed would be packed badly on the way, or not at all
+    packed = gzip.compress(code or kernel(), mtime=0)
+    begun = {"kernel": base64.b64encode(packed).decode(), "axes": identity.axes()}
     texts = {
         "index.html": page,
         "page.js": (HERE / "page.js").read_text().replace("/* NAMES */ []", listed),

@@ -106,8 +106,10 @@ window.PIEPER = window.PIEPER || {};
   }
 
   const ready = (async () => {
-    const code = Uint8Array.from(atob(window.PIEPER.kernel), (letter) => letter.charCodeAt(0));
-    wasm = (await WebAssembly.instantiate(code, {})).instance.exports;
+    const letters = atob(window.PIEPER.kernel), packed = new Uint8Array(letters.length);
+    for (let i = 0; i < letters.length; ++i) packed[i] = letters.charCodeAt(i);
+    const code = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    wasm = (await WebAssembly.instantiate(await new Response(code).arrayBuffer(), {})).instance.exports;
     if (wasm._initialize) wasm._initialize();
   })();
   Object.assign(window.PIEPER, { ready, ikAll, inside, axesAt, same });

@@ -149,6 +149,39 @@ def run_node(path: Path, ask: Asked) -> Found:
     return Found(rows, np.array(said["counts"]), said["took"] / 1e6)
 
 
+def run_octave(path: Path, ask: Asked) -> Found:
+    """Run the folder of MATLAB functions in Octave, a pose at a time."""
+    folder, value = path, "" if ask.spare is None else f", q(i, {ask.spare + 1})"
+    for name, array in (("T", ask.T.reshape(-1, 16)), ("q", ask.q)):
+        (folder / f"{name}.bin").write_bytes(array.tobytes())
+    n = ask.q.shape[1]
+    (folder / "run_it.m").write_text(
+        "function run_it()\n"
+        "  T = numbers('T.bin', 16);\n"
+        f"  q = numbers('q.bin', {n});\n"
+        f"  count = size(T, 1); counts = zeros(count, 1); rows = zeros(16 * count, {n}); last = 0;\n"
+        "  start = cputime();\n"
+        "  for i = 1:count\n"
+        f"    found = one_ik(reshape(T(i, :), 4, 4)'{value});\n"
+        "    counts(i) = size(found, 1);\n"
+        "    rows(last + 1:last + counts(i), :) = found;\n"
+        "    last = last + counts(i);\n"
+        "  end\n"
+        "  took = cputime() - start;\n"
+        "  written('counts.bin', counts); written('took.bin', took); written('rows.bin', rows(1:last, :)');\n"
+        "end\n"
+        "function A = numbers(name, width)\n"
+        "  f = fopen(name); A = fread(f, [width, Inf], 'double')'; fclose(f);\n"
+        "end\n"
+        "function written(name, A)\n"
+        "  f = fopen(name, 'w'); fwrite(f, A, 'double'); fclose(f);\n"
+        "end\n"
+    )
+    subprocess.run(["octave-cli", "--no-gui", "-q", "--eval", "run_it"], cwd=folder, capture_output=True, check=True)
+    counts = np.fromfile(folder / "counts.bin").astype(np.int64)
+    return Found(np.fromfile(folder / "rows.bin").reshape(-1, n), counts, float(np.fromfile(folder / "took.bin")[0]))
+
+
 LANGUAGES = {
     "c": Ran("solver.c", run_c, tool("gcc")),
     "python": Ran("solver.py", run_python, lambda: True),
@@ -156,4 +189,5 @@ LANGUAGES = {
     "c++": Ran("solver.hpp", run_cpp, tool("g++")),
     "jax": Ran("solver.py", run_jax, package("jax")),
     "wasm": Ran("solver.mjs", run_node, package("ziglang", "node")),
+    "matlab": Ran("solver", run_octave, tool("octave-cli")),
 }

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 import pieper
-from benchmarks.kept import RESULTS, read, write
+from benchmarks.kept import RESULTS, held, read, write
 from pieper.maps.grid import grid_of
 from tests.calibration.planted import ARMS, NOISE, noisy, planted, postures
 
@@ -142,11 +142,11 @@ def main() -> None:
     ask.add_argument("slice", choices=["maps", "whole", "rm4d", "calibration"])
     ask.add_argument("--seed", type=int, default=2026)
     said = ask.parse_args()
-    state = read("scale") or {}
     work = {"maps": maps, "whole": whole, "rm4d": rm4d, "calibration": lambda: calibration(said.seed)}
-    state[said.slice] = work[said.slice]()
-    print(json.dumps(state[said.slice], indent=1))
-    write(state, RESULTS / "scale.json", indent=1)
+    found = work[said.slice]()
+    print(json.dumps(found, indent=1))
+    with held():
+        write((read("scale") or {}) | {said.slice: found}, RESULTS / "scale.json", indent=1)
 
 
 if __name__ == "__main__":

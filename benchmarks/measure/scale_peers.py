@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 import pieper
-from benchmarks.kept import RESULTS, read, write
+from benchmarks.kept import RESULTS, held, read, write
 from benchmarks.measure.scale import least, rm4d
 
 DERIVE = """
@@ -137,6 +137,15 @@ def sampled(python: str, folder: str, samples: int) -> dict[str, Any]:
     }
 
 
+def keep(name: str, found: dict[str, Any]) -> None:
+    """Add what was measured beside one peer; what stands beside the others stays as it is now, not as it was before."""
+    print(json.dumps({name: found}, indent=1))
+    with held():
+        state = read("scale") or {}
+        state["peers"] = state.get("peers", {}) | {name: found}
+        write(state, RESULTS / "scale.json", indent=1)
+
+
 def main() -> None:
     """Measure what is asked and keep it."""
     ask = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
@@ -144,14 +153,10 @@ def main() -> None:
     ask.add_argument("--rm4d", nargs=2)
     ask.add_argument("--samples", type=int, default=20_000)
     said = ask.parse_args()
-    state = read("scale") or {}
-    peers = state.setdefault("peers", {})
     if said.toolbox:
-        peers["toolbox"] = toolbox(said.toolbox)
+        keep("toolbox", toolbox(said.toolbox))
     if said.rm4d:
-        peers["rm4d"] = sampled(said.rm4d[0], said.rm4d[1], said.samples)
-    print(json.dumps(peers, indent=1))
-    write(state, RESULTS / "scale.json", indent=1)
+        keep("rm4d", sampled(said.rm4d[0], said.rm4d[1], said.samples))
 
 
 if __name__ == "__main__":

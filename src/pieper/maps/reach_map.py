@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, fields
 from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol, runtime_checkable
+from uuid import uuid4
 
 import numpy as np
 
@@ -317,8 +318,14 @@ def reach_map(
     return ReachMap(plan, grid, bits, solutions, whole.measures, question.words, around, len(missing))
 
 
-def tile_of(question: Question, number: int, per_tile: int, kept: Store | None, threads: int | None) -> Tile:
-    """Solve one tile and put it into its store, where there is one; what an executor runs."""
+def tile_of(
+    question: Question, number: int, per_tile: int, kept: Store | None, threads: int | None, call: str = ""
+) -> Tile:
+    """Solve one tile and put it into its store, where there is one; what an executor runs.
+
+    `call` is another one each time a map is asked: dask knows tasks by their arguments, and would answer with what an
+    earlier call's task came to, the error of a disk that was full then, too.
+    """
     if kept is not None and (known := kept.get(number)) is not None:
         # done by somebody else meanwhile: executors run some tasks twice
         return known
@@ -336,11 +343,11 @@ def _each(
             yield number, tile_of(question, number, per_tile, kept, None)
         return
     waiting: dict[Future[Tile], int] = {}
-    left = iter(missing)
+    left, call = iter(missing), uuid4().hex
     try:
         while True:
             for number in left:
-                waiting[executor.submit(tile_of, question, number, per_tile, kept, 1)] = number
+                waiting[executor.submit(tile_of, question, number, per_tile, kept, 1, call)] = number
                 if len(waiting) >= AHEAD:
                     break
             if not waiting:
