@@ -19,9 +19,14 @@ def random_joints(arm: Arm | Chain, rng: np.random.Generator, count: int, slide:
     return span * rng.uniform(-1, 1, (count, chain.n))
 
 
+def around(angle: np.ndarray) -> np.ndarray:
+    """Return angles a whole number of turns away, in [-pi, pi), rad."""
+    return (angle + np.pi) % (2 * np.pi) - np.pi
+
+
 def turns_apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return |a - b| of angles, whole turns not counted."""
-    return np.abs((a - b + np.pi) % (2 * np.pi) - np.pi)
+    return np.abs(around(a - b))
 
 
 def difference(chain: Chain, a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from oracle.joints import around
+
 TASKS = {"pose": 0, "position": 1, "position+axis": 2}
 
 
@@ -141,7 +143,7 @@ def polish(m: Machine, T, v, task=0, rounds=8):
 def gap(m: Machine, a, b):
     """Return the largest difference of inner values, angles around the circle."""
     d = a - b
-    return np.abs(np.where(m.slides, d, (d + np.pi) % (2 * np.pi) - np.pi)).max(-1)
+    return np.abs(np.where(m.slides, d, around(d))).max(-1)
 
 
 def exact_residual(arm, T, q, digits=50) -> float:

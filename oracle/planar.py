@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from oracle.joints import around
+
 
 def rows(point, heading, links, limits):
     """Return for each elbow (k, 3) joints and (k,) whether they are inside, at a point with headings (k,)."""
@@ -12,7 +14,7 @@ def rows(point, heading, links, limits):
     for sense in (1, -1):
         q2 = sense * np.arccos(np.clip(cosine, -1, 1))
         q1 = np.arctan2(y, x) - np.arctan2(b * np.sin(q2), a + b * np.cos(q2))
-        q = (np.stack([q1, q2, heading - q1 - q2], -1) + np.pi) % (2 * np.pi) - np.pi
+        q = around(np.stack([q1, q2, heading - q1 - q2], -1))
         out.append((q, (np.abs(cosine) <= 1) & ((q >= limits[:, 0]) & (q <= limits[:, 1])).all(1)))
     return out
 

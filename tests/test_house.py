@@ -29,6 +29,8 @@ RULES = (
     "fossil name",
     "asks what it is",
     "bare threshold",
+    "no such name",
+    "turn by hand",
 )
 
 
@@ -63,6 +65,13 @@ def f(name):
     assert "pieper.solver" in seen, "a package is run on the way to its modules"
     assert room.strange == ["pieper.solver.words.labels._hidden", "other._secret"]
     assert room.asks == ["title"]
+
+
+def test_a_turn_taken_by_hand_is_found(tmp_path, monkeypatch):
+    (tmp_path / "some.py").write_text("a = (x + np.pi) % (2 * np.pi) - np.pi\nb = x % TURN\nc = k % 2\nd = '%s' % pi\n")
+    monkeypatch.setattr(house, "ROOT", tmp_path)
+    monkeypatch.setattr(house, "files", lambda *patterns: [tmp_path / "some.py"])
+    assert {v.what for v in house.turns_by_hand()} == {"(x + np.pi) % (2 * np.pi)", "x % TURN"}
 
 
 def test_a_circle_is_found(monkeypatch):

@@ -2,19 +2,30 @@
 
 Usage: python -m benchmarks.measure.catalogue [--poses 2000] [--again] [--seconds 120]
 
-Arms that have a line keep it unless asked for again; with a time limit what was measured until then is written, and the
-next call goes on. The time is the processor's, so that a busy machine does not count.
+Arms that have a line keep it unless they were changed since or it is asked for again; with a time limit what was
+measured until then is written, and the next call goes on. The time is the processor's, so that a busy machine does not
+count.
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
 import time
 
 import numpy as np
 
 import pieper
 from benchmarks.kept import RESULTS, read, write
+from oracle.joints import around
+
+
+def fingerprint(arm: pieper.Arm) -> str:
+    """Return a checksum of what the numbers of an arm rest on: how it moves, and its limits, to twelve decimals."""
+    found = hashlib.sha256(arm.joint_types.encode())
+    for array in (arm.limits, arm.coupling, arm.frames(np.vstack([np.zeros(arm.n), np.eye(arm.n)]))):
+        found.update(repr((np.round(array, 12) + 0.0).tolist()).encode())
+    return found.hexdigest()[:16]
 
 
 def measured(name: str, count: int) -> dict:
@@ -33,7 +44,7 @@ def measured(name: str, count: int) -> dict:
     start = time.process_time()
     found = arm.ik_many(T, threads=1, redundancy=values)
     spent = 1e6 * (time.process_time() - start) / count
-    gap = np.where(plan.prismatic, found.q - q[:, None], (found.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi)
+    gap = np.where(plan.prismatic, found.q - q[:, None], around(found.q - q[:, None]))
     missed = int(np.sum(~((np.abs(gap).max(-1) < 1e-6) & found.valid).any(1)))
     counts = found.count
     return {
@@ -49,6 +60,7 @@ def measured(name: str, count: int) -> dict:
         "missed": missed,
         "poses": count,
         "us_a_pose": float(f"{spent:.3g}"),
+        "sha256": fingerprint(arm),
     }
 
 
@@ -63,7 +75,7 @@ def main() -> None:
     for name in pieper.catalog():
         if time.process_time() > args.seconds:
             break
-        if args.again or name not in kept:
+        if args.again or name not in kept or kept[name].get("sha256") != fingerprint(pieper.load(name)):
             kept[name] = measured(name, args.poses)
             print(kept[name], flush=True)
     rows = [kept[name] for name in pieper.catalog() if name in kept]

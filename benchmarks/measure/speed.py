@@ -24,6 +24,7 @@ import numpy as np
 from benchmarks.kept import RESULTS, ROOT, commit, write_text
 from benchmarks.measure.contestants import PACKAGES, SETTINGS
 from oracle.arms.tables import GENERAL_ARMS, TABLES, poses
+from oracle.joints import turns_apart
 
 ENVIRONMENT = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 
@@ -80,7 +81,7 @@ def recall(arm: str, count: int, chunk: int = 50_000) -> dict:
         t = time.perf_counter()
         found = robot.ik_many(T, threads=1)
         spent += time.perf_counter() - t
-        gap = np.abs((found.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi).max(-1)
+        gap = turns_apart(found.q, q[:, None]).max(-1)
         missed += int(np.sum(~((gap < 1e-6) & found.valid).any(1)))
         odd += int(np.sum(found.count % 2))
         uncertain += int(np.sum((found.flag & 2) > 0))

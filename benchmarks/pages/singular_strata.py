@@ -4,25 +4,26 @@ from __future__ import annotations
 
 from benchmarks.kept import read
 
-VERDICTS = ("rounding", "not real", "blurred", "lost", "unsettled")
+VERDICTS = ("as told", "rounding", "not real", "blurred", "lost", "unsettled")
 HEAD = """\
 # Near singular postures
 
 Joint vectors 1e-10 to 1e-2 away from a singular one (log-uniform, in a generic direction), and a tenth of them
 exactly singular, of every family; measured by `python -m benchmarks.measure.singular_strata`, written by `make
 pages`. *1e-6*: part that is found again within 1e-6 rad. *1e-6 + 1e-14/sigma*: within what a pose in double precision
-tells. Every miss of the first kind is judged in fifty digits:
+tells. Every miss of the second kind is judged in fifty digits, and of those of the first alone the first two of each
+chunk of 250:
 
+- *as told*: within what a pose in double precision tells, and not judged;
 - *rounding*: the true solution of the rounded pose is among the rows; it is not where the joint vector was;
 - *not real*: the rounded pose has no real solution there any more;
 - *blurred*: two true solutions between which the pose is missed by rounding only, given once;
 - *lost*: none of these.
 
 *Over 1e-12*: unmarked poses with a residual above 1e-12 per reach or rad. Times are of a machine shared by many, for
-these poses, more than half of which are looked at with care. 250 poses an arm: 0.9999 is neither proven nor refuted
-by so few. What is lost of the seven-joint arms are exactly singular postures at the held joint, whose curve at that
-value is given by one representative only. The rows of the EA1400N, the CRX-10iA, the HC10, the Jaco, the Stanford
-arm, all UR5e and the random arm are of the newest solver, the others of an earlier one and a crowded machine.
+these poses, more than half of which are looked at with care. Of seven-joint arms the joint that is held is so at its
+default value, and the curves of an exactly singular posture at that value are not asked for: what is lost of them are
+such postures, given by one representative.
 
 """
 

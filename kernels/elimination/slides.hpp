@@ -70,7 +70,10 @@ inline bool solve_slides(const Model& model, const Rigid& pose, Found& found) {
     for (int i = 0; i < 6; ++i) joints[i] = motion(i);
     const Closure<double> closed = polish(loop, roles, joints, 4);
     const double size = 1 + __builtin_fabs(d[0]) + __builtin_fabs(d[1]) + __builtin_fabs(d[2]);
-    if (!(closed.residual < kGeneralVerified * size)) continue;
+    if (!(closed.residual < kGeneralVerified * size)) {
+      isolated = false;  // the outer axes are in line to half the digits: what stands there is not told
+      continue;
+    }
     for (int i = 0; i < 6; ++i) q[i] = model.prismatic[i] ? joints[i].c : __builtin_atan2(joints[i].s, joints[i].c);
     insert(found, q, closed.sigma, closed.residual, model.prismatic);
   }

@@ -5,7 +5,7 @@
 // A family is a struct with
 //   degree, samples (more than 2 degree + 1), both (whether a root has a solution on either side), slots;
 //   Arm: its constants, doubles only; Target<F>: a pose as the arm sees it, numbers of type F only;
-//   see(arm, pose), polynomial(arm, target, c, s),
+//   see(arm, pose), polynomial(arm, target, c, s), wanting(arm, target): whether the polynomial may not know all solutions,
 //   complete(arm, target, c, s, side, q): the joints from a root, side +1 or -1, or 0 where it must find out; returns what is not clear.
 // Templates over the number type, used for lanes only; the general solver is the careful road.
 #pragma once
@@ -108,7 +108,7 @@ template <class F, class Family> unsigned solve_group(const HiddenAngle& head, c
   trigonometric::Series<F, D> series;
   const F above = trigonometric::series_of<F, D, M>(value, series, size);
   const F noise = max(kHiddenNoise * size, 100.0 * above);
-  unsigned unclear = bits_of(!(above < kHiddenDegree * size));
+  unsigned unclear = bits_of(!(above < kHiddenDegree * size) | Family::wanting(arm, target));
   trigonometric::Sectors<F, D> sectors;
   sectors_of(series, sectors);
   const trigonometric::Isolation<F, D> roots(sectors, noise, ~unclear, used);

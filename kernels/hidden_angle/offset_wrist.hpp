@@ -287,6 +287,7 @@ template <bool Even> struct Family {
   template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
     return offset_wrist::polynomial<F, Even>(arm, target, angle.c, angle.s);
   }
+  template <class F> static Mask<F> wanting(const Arm&, const Target<F>&) { return F(0.0) > F(1.0); }
   template <class F>
   static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F side, Motion<F>* q) {
     return offset_wrist::complete(arm, target, root, side, q);

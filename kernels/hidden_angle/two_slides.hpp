@@ -196,6 +196,16 @@ template <class F> F polynomial(const Arm& arm, const Target<F>& target, Motion<
   return (at.f.x * at.f.x - numbers.square * at.f.y * at.f.y) * at.open.x;
 }
 
+// Where the axes of x and z can line up solutions stand that the polynomial does not know of: only the sum of the two angles is given, and
+// f has a pole where it should have a root. The hidden angle must bring the two together, and y must.
+template <class F> Mask<F> wanting(const Target<F>& target) {
+  const Bend<F> b = bend_of(target);
+  const F turned = sqrt(b.cosine * b.cosine + b.sine * b.sine), bent = sqrt(b.n), middle = b.constant + b.both;
+  const F lined = 1.0 - kHiddenRoom;
+  return ((middle + turned > lined) & (b.both + bent > lined)) | ((turned - middle > lined) & (bent - b.both > lined)) |
+         (b.n < kHiddenRoom);
+}
+
 // Where two of the four axes line up, the slides are parallel or roots merge, a solution is not clear.
 template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F side, Motion<F>* q) {
   const Bend<F> b = bend_of(target);
@@ -240,6 +250,7 @@ struct Family {
   template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
     return two_slides::polynomial(arm, target, angle);
   }
+  template <class F> static Mask<F> wanting(const Arm&, const Target<F>& target) { return two_slides::wanting(target); }
   template <class F>
   static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F side, Motion<F>* q) {
     return two_slides::complete(arm, target, root, side, q);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "dispatch/geometry.hpp"
+#include "singular/all_over.hpp"
 #include "singular/into_limits.hpp"
 #include "singular/merged.hpp"
 #include "singular/read.hpp"
@@ -72,6 +73,13 @@ class FromAside {
           return false;
       }
     }
+    // a pose that is marked and has no row that explains it has something that poses beside do not lead to
+    bool explained = out.curves.empty();
+    if (explained)
+      explained = std::any_of(known.begin(), known.end(), [](const Known& one) { return one.singular || one.weak; });
+    if (!explained && !all_over(T, known, curves, out)) return false;
+    for (const Known& one : known)
+      if (one.several && !on_motion(one, out)) return false;
     // there are no more solutions than slots: where rounding lets more be told, it blurs by more than was thought
     for (double wide = 1; wide < kMostWide; wide *= 2) {
       out.rows.clear();
@@ -86,6 +94,7 @@ class FromAside {
     double q[6];
     int branches;
     bool singular, regular, fold, weak;
+    bool several;                                        // more than one direction is free, and may lead away
     double inverse[6][6];                                // of the Jacobian of a regular row: [joint][pose]
     double miss;                                         // of a singular row
     double spread;                                       // of one in which branches merge: how far rounding parts them
@@ -194,6 +203,25 @@ class FromAside {
     curves.push_back(std::move(curve));
     return true;
   }
+  // Adds what poses beside do not lead to, from joint vectors all over; false where that is neither a solution nor on a curve.
+  bool all_over(const Rigid& T, std::vector<Known>& known, std::vector<NearCurve>& curves, Read& out) const {
+    return from_all_over(arm_, T, [&](const double* q) {
+      double at[6];
+      std::copy(q, q + kSix, at);
+      settle(arm_, T, at, 6, kHeldFirmly);
+      const Known one = look_at(T, at);
+      if (on_motion(one, out) || nearly_holds(T, one, curves) || is_alone(known, one.q, out)) return true;
+      if (one.singular && !through(T, one, known, curves, out)) return false;
+      if (!on_motion(one, out) && !is_alone(known, one.q, out)) known.push_back(one);
+      return true;
+    });
+  }
+  // Whether a point is one of the known rows that lie on no self-motion.
+  bool is_alone(const std::vector<Known>& known, const double* q, const Read& out) const {
+    for (const Known& one : known)
+      if (arm_.apart(one.q, q) < std::fmax(kMergedTwins, one.blur()) && !on_motion(one, out)) return true;
+    return false;
+  }
   bool is_known(const std::vector<Known>& known, const double* q, double within) const {
     for (const Known& one : known)
       if (arm_.apart(one.q, q) < std::fmax(within, one.blur())) return true;
@@ -247,11 +275,14 @@ class FromAside {
     } else if (out.branches == 0) {
       const Unfolded root = unfolded(arm_, T, out.q);
       out.branches = root.branches, out.spread = root.blur;
+      out.several = !(d.s[4] > kOneWayFree * d.s[0]) && !stands_alone(at, d);
       if (root.branches == 1) return out;
       std::copy(root.q, root.q + kSix, out.q);
       at = Standing(arm_, out.q);
-      seen(at, SingularSix(at.J), out);
+      d = SingularSix(at.J);
+      seen(at, d, out);
     }
+    out.several = !(d.s[4] > kOneWayFree * d.s[0]) && !stands_alone(at, d);
     return out;
   }
   static void seen(const Standing& at, const SingularSix& d, Known& out) {

@@ -148,6 +148,28 @@ def file(value: Any, what: str = "path", wanted: str = "the path of a file") -> 
     return Path(read)
 
 
+def file_ending(value: Any, endings: tuple[str, ...], what: str) -> Path:
+    """Return the path of a file to be written, which says by its ending what it holds.
+
+    Args:
+        value: What was given.
+        endings: Those that may be, such as ".toml"; "" for none.
+        what: What is written, for the message.
+
+    Raises:
+        InputError: No path, or another ending.
+    """
+    path = file(value)
+    if path.suffix.lower() not in endings:
+        written = " or ".join(ending for ending in endings if ending)
+        raise InputError(
+            f"{path.name}: {what} is written as {written}, not as {path.suffix or 'a file without ending'!r}.",
+            given=path.suffix,
+            allowed=list(endings),
+        )
+    return path
+
+
 def a(kind: type[_T], value: Any, what: str, cure: str) -> _T:
     """Return an object of one of our kinds.
 

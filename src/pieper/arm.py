@@ -375,7 +375,7 @@ class Arm(AlongPaths):
         """Return a posture in a maker's configuration words; see `motion.dialects.configuration`."""
         from pieper.motion.dialects.configuration import configuration
 
-        return configuration(self.plan, self._joints(q), maker)
+        return configuration(self.plan, self._joints(q), maker, self.description.manufacturer)
 
     @property
     def symbolic(self) -> Symbolic:

@@ -156,3 +156,29 @@ def test_a_folder_is_opened_with_the_meshes_that_its_file_names(bench, urdf):
     expected = sorted(by_hand(q), key=lambda T: tuple(T.ravel().round(6)))
     assert max(np.abs(a - b).max() for a, b in zip(places(bench), expected, strict=True)) < 1e-6
     assert not [r for r in bench.requests if "/looks/" in r], "its meshes never leave the browser"
+
+
+def test_the_picture_holds_what_the_links_wear_and_comes_nearer_when_they_wear_it_no_more(people, tmp_path):
+    text = URDF.replace('<box size="0.05 0.2 0.02"/>', '<box size="0.05 3 0.02"/>').replace("looked-at", "broad")
+    (write_arm(tmp_path).parent / "broad.urdf").write_text(text)
+    served = Server(pieper.load(tmp_path / "look" / "broad.urdf"))
+    try:
+        bench = people(url=served.url).open()
+        bench.until("workbench.looks.shapes === 6 && workbench.looks.loading === 0")
+        bar = by_hand(np.array(bench.value("workbench.q")))[-1]
+        ends = [(bar @ [0, y, 0, 1])[:3].tolist() for y in (-1.5, 1.5)]
+        bench.until(
+            """ends => ends.every((p) => {
+              const [x, y] = workbench.toScreen(p),
+                r = document.querySelector('canvas').getBoundingClientRect();
+              return x > r.left && x < r.right && y > r.top && y < r.bottom;
+            })""",
+            ends,
+        )
+        bench.shot("looks-broad")
+        away = "Math.hypot(...[0, 1, 2].map((i) => workbench.camera[i] - workbench.camera[i + 3]))"
+        wide = bench.value(away)
+        bench.page.get_by_test_id("look").get_by_text("Sketch").click()
+        bench.until(f"wide => {away} < 0.8 * wide", wide)
+    finally:
+        served.stop()

@@ -86,7 +86,7 @@ def test_nothing_is_cut_off_at_any_size_of_letters_and_window(bench, size):
             assert bench.value("document.documentElement.scrollWidth <= innerWidth"), (width, tab)
             stage = bench.value(OUTER % "#stage")
             assert stage[0] <= width + 1
-            if width > 900:
+            if bench.value("document.documentElement.dataset.layout") != "tablet":  # which is longer than its window
                 assert max(stage[1], bench.value(OUTER % "#panels")[1]) <= height + 1, (width, height, tab)
             corner = bench.value(OUTER % ".corner.bottom")
             assert corner[1] <= stage[1] and corner[0] <= stage[0], "what lies over the picture stays in it"
@@ -149,3 +149,23 @@ def test_a_finger_does_what_a_mouse_does(people, width, height):
     for name in ("Undo", "Redo"):
         box = page.get_by_role("button", name=name, exact=True).bounding_box()
         assert min(box["width"], box["height"]) >= 24, "wide enough for a finger"
+
+
+@pytest.mark.parametrize("size", ["1.15", "1.3", "1.5"])
+def test_larger_letters_lay_the_page_out_as_a_smaller_window(bench, size):
+    """At every width the picture keeps room, the curves can be closed and every tab be pressed."""
+    page = bench.page
+    bench.tab("Path")
+    bench.button("Plan the line")
+    page.get_by_role("button", name="Close the curves").wait_for()
+    page.get_by_test_id("text-size").select_option(size)
+    for width, height in ((1280, 800), (1920, 1080), (1024, 768), (820, 1180), (2560, 1440), (1280, 800)):
+        page.set_viewport_size({"width": width, "height": height})
+        bench.tab("Program")
+        bench.until("w => document.documentElement.clientWidth <= w", width)
+        view = page.locator("#view").bounding_box()
+        assert view["width"] > 0.25 * width and view["height"] > 0.2 * height, (width, view)
+        close = page.get_by_role("button", name="Close the curves").bounding_box()
+        stage = page.locator("#stage").bounding_box()
+        assert stage["x"] <= close["x"] and close["x"] + close["width"] <= stage["x"] + stage["width"], (width, close)
+        page.get_by_role("tab", name="Share", exact=True).click(timeout=5000)

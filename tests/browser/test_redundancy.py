@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from math import pi
 
 import numpy as np
@@ -100,6 +101,31 @@ def test_a_seven_joint_arm_slides_along_its_self_motion(bench):
         moved = max(moved, np.abs(np.array(bench.value("workbench.q")) - start).max())
     assert moved > 0.2
     bench.shot("redundant-seven", both=True)
+
+
+def test_the_green_parts_of_a_self_motion_are_inside_the_limits_whichever_way_one_came(bench):
+    """A closed curve that turns joints all the way round: what it has turned on the red part is taken off again."""
+    arm = pieper.load("kuka-lbr-iiwa-7-r800")
+    bench.arm(arm.name)
+    bench.tab("Inverse")
+    bench.button("Take the present pose")
+    page = bench.page
+    motions = page.get_by_test_id("self-motions")
+    motions.get_by_role("slider").first.wait_for()
+    for fold in motions.locator("summary").all():
+        fold.click()
+    lower, upper = np.transpose(arm.limits)
+    visited = 0
+    for slider in motions.get_by_role("slider").all():
+        inside = json.loads(slider.get_attribute("data-inside") or "[]")
+        for way in (np.linspace(0, 1, 31), np.linspace(1, 0, 31), [0.999, 0.001, 0.5, 0.0, 0.7]):
+            for at in way:
+                slider.fill(str(at))
+                if any(a + 0.01 < at < b - 0.01 for a, b in inside):
+                    q = np.array(bench.value("workbench.q"))
+                    assert (q > lower - 1e-3).all() and (q < upper + 1e-3).all(), (at, inside, np.degrees(q))
+                    visited += 1
+    assert visited > 30
 
 
 @pytest.mark.parametrize("value", [{"joint_9": 0.1}, {"joint_1": 99.0}, [1.0], {}, {"joint_1": None}])

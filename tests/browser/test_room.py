@@ -48,6 +48,22 @@ def test_presenting_shows_picture_matrix_and_one_panel_in_large_type(bench):
     assert bench.value(size) == before and shown.is_hidden()
 
 
+def test_long_numbers_are_written_as_large_as_the_others_when_presenting(bench):
+    bench.joints((-123.4567, -88.1234, 101.2345, -100.123, -89.99, 35.123))
+    for tab in ("Inverse", "Path"):
+        bench.tab(tab)
+        bench.page.get_by_test_id("present").click()
+        fields = ".pose-field input.number"
+        bench.until(f"[...document.querySelectorAll('{fields}')].some((f) => f.offsetParent && f.value.length > 6)")
+        sizes = bench.value(
+            f"[...document.querySelectorAll('{fields}')].filter((f) => f.offsetParent)"
+            ".map((f) => getComputedStyle(f).fontSize)"
+        )
+        assert len(sizes) >= 6
+        assert len(set(sizes)) == 1, f"{tab}: some numbers are written smaller to be seen whole: {sizes}"
+        bench.page.get_by_test_id("present").click()
+
+
 def test_the_picture_is_saved_as_it_stands(bench):
     bench.settle()
     with bench.page.expect_download() as saved:

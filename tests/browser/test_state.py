@@ -237,3 +237,39 @@ def test_an_arm_with_coupled_joints_is_shown_and_solved(bench, tmp_path):
     for k, frame in enumerate(json.loads(json.dumps(bench.value("workbench.frames")))):
         assert np.allclose(np.reshape(frame, (4, 4)), arm.frames(q)[k], atol=1e-12)
     bench.shot("coupled")
+
+
+def test_radians_are_not_kept_as_metres_where_a_turning_joint_becomes_a_slide(bench):
+    """What was taught keeps the joints that are of one kind on both arms, and undo brings all back."""
+    bench.tab("Program")
+    bench.page.get_by_test_id("start-here").click()
+    bench.page.get_by_test_id("step-add-joint").click()
+    bench.joints([10, 60, -150, 10, 40, 25])
+    bench.tab("Sequence")
+    bench.page.get_by_test_id("add-posture").click()
+    before = bench.value("workbench.said")
+    assert before["program"]["steps"][0]["q"] and before["program"]["start"] and before["sequence"]["postures"]
+    bench.arm("stanford-arm")
+    after = bench.value("workbench.said")
+    slide = bench.value("workbench.table.joints[2]")
+    assert slide["type"] == "P"
+    for was, now in (
+        (before["program"]["start"], after["program"]["start"]),
+        (before["program"]["steps"][0]["q"], after["program"]["steps"][0]["q"]),
+        (before["sequence"]["postures"][0]["q"], after["sequence"]["postures"][0]["q"]),
+    ):
+        assert slide["lower"] <= now[2] <= slide["upper"]
+        assert [v for i, v in enumerate(now) if i != 2] == [v for i, v in enumerate(was) if i != 2]
+    bench.page.keyboard.press("Control+z")
+    bench.until("workbench.table.name === 'denso-vp6242'")
+    again = bench.value("workbench.said")
+    for key in ("program", "sequence"):
+        assert again[key] == before[key]
+
+
+def test_the_picker_names_the_arm_that_is_shown_where_another_is_refused(bench):
+    page = bench.page
+    page.get_by_test_id("catalog").select_option("dobot-mg400")
+    page.get_by_text("has a linkage that moves").wait_for()
+    assert "pieper.workbench(arm.uncoupled())" in page.inner_text("#remark")
+    assert page.get_by_test_id("catalog").input_value() == bench.value("workbench.table.name") == "denso-vp6242"

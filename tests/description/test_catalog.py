@@ -10,6 +10,10 @@ import numpy as np
 import pytest
 
 import pieper
+from benchmarks import kept
+from benchmarks.measure.catalogue import fingerprint
+from benchmarks.pages import arms as page_of_arms
+from oracle.joints import turns_apart
 from oracle.products import product
 from pieper.description import catalog, catalog_index
 from pieper.errors import InputError
@@ -142,7 +146,7 @@ def test_an_arm_from_a_urdf_finds_its_own_postures_again(name):
         assert all(len(arm.ik(pose).all_q) for pose in T[:2])
         return
     found = arm.ik_many(T, threads=1)
-    gap = np.abs((found.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi).max(-1)
+    gap = turns_apart(found.q, q[:, None]).max(-1)
     assert ((gap < 1e-6) & found.valid).any(1).all()
     # of five joints the task may be a position and the tool's axis, which is what counts then
     close = arm.plan.residual(
@@ -188,3 +192,11 @@ def test_finding_an_arm_opens_no_robot_file(asked):
     )
     source = Path(catalog.__file__).parents[2]
     assert subprocess.run([sys.executable, "-c", code], cwd=source, check=False).returncode == 0
+
+
+def test_the_page_of_arms_is_of_these_arms():
+    """The cure: python -m benchmarks.measure.catalogue, then make pages."""
+    rows = {row["arm"]: row["sha256"] for row in kept.read("catalogue")["rows"]}
+    assert sorted(rows) == sorted(NAMES)
+    assert [name for name in NAMES if fingerprint(pieper.load(name)) != rows[name]] == []
+    assert (kept.DOCS / "arms.md").read_text(encoding="utf-8") == page_of_arms.page()

@@ -114,7 +114,7 @@ def test_an_empty_file_is_filled(tmp_path):
 @pytest.mark.parametrize("place", ["missing/arm.toml", "plain/arm.toml"])
 def test_a_folder_that_cannot_be_written_is_said_so(tmp_path, place):
     (tmp_path / "plain").write_text("a file, not a folder")
-    with pytest.raises(InputError, match="cannot be written.*folder"):
+    with pytest.raises(InputError, match="cannot write.*folder"):
         robotfile.write(catalog.load("three-r"), tmp_path / place)
 
 

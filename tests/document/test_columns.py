@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import pieper
+from pieper.cli import main
 
 ARMS = "denso-vp6242 franka-panda stanford-arm adept-cobra-600 three-r".split()
 
@@ -43,13 +44,36 @@ def test_a_batch_keeps_a_row_for_a_pose_without_solutions(tmp_path):
     table = many.columns()
     assert {len(column) for column in table.values()} == {many.count[0] * 2 + 1}
     assert table["pose"].tolist() == sorted(table["pose"].tolist())
-    lost = table["pose"] == 1
+    lost = table["pose"] == 2
     assert lost.sum() == 1 and table["solution"][lost] == 0 and table["status"][lost] == "OUT_OF_REACH"
     assert np.isnan(table["joint_1_rad"][lost]).all() and not table["in_limits"][lost].any()
     assert table["solution"][~lost].tolist() == [*range(1, many.count[0] + 1)] * 2
     kept = np.load(many.save(tmp_path / "many.npz"), allow_pickle=False)
     for name, column in table.items():
         np.testing.assert_array_equal(kept[name], column)
+
+
+def test_tables_count_from_one_and_indices_from_zero(tmp_path):
+    arm = pieper.load("denso-vp6242")
+    T = np.stack([some_pose(arm)] * 3)
+    many = arm.ik_many(T)
+    rows, _ = many.rows()
+    assert many.columns()["pose"].tolist() == (rows + 1).tolist() == sorted(many.to_dict()["pose"])
+    with open(many.save(tmp_path / "ours.csv"), encoding="utf-8") as file:
+        ours = [(row["pose"], row["solution"]) for row in csv.DictReader(file)]
+    poses = tmp_path / "poses.csv"
+    poses.write_text("\n".join(",".join(map(repr, row[:3].ravel().tolist())) for row in T))
+    with pytest.raises(SystemExit):
+        main(["ik", arm.name, f"@{poses}", "--length", "m", "--all", "--csv", str(tmp_path / "theirs.csv")])
+    with (tmp_path / "theirs.csv").open(encoding="utf-8") as file:
+        assert [(row["pose"], row["solution"]) for row in csv.DictReader(file)] == ours
+    assert many[2].pose == 2 and "at index 2" in repr(many[2])
+    with pytest.raises(IndexError, match=r"index 3 of 3 poses; indices go from 0 to 2"):
+        many[3]
+    T[1, 0, 0] = 7
+    with pytest.raises(pieper.InputError, match=r"at index 1\)") as refused:
+        arm.ik_many(T)
+    assert refused.value.data["index"] == (1,)
 
 
 def test_csv_reads_back_to_the_last_bit(tmp_path):

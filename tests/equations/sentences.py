@@ -91,7 +91,8 @@ def _at_postures(arm: Arm, ik, case) -> list[str]:
         bad.append(f"a posture is not given back, off by {nearest.max():.1e}")
     real = np.isfinite(rows).all(axis=2)
     given = ["noap".index(c) for c in ik.form.given]
-    miss = np.abs(arm.fk(np.nan_to_num(rows)) - T)[..., :3, given].max(axis=(2, 3))
+    size = np.array([1.0, 1.0, 1.0, max(1.0, np.abs(T[:, :3, 3]).max())])  # of 350 m no more digits are to be had
+    miss = (np.abs(arm.fk(np.nan_to_num(rows)) - T)[..., :3, :] / size)[..., given].max(axis=(2, 3))
     if miss[real].max(initial=0.0) >= MISSED:
         bad.append(f"a real choice of signs misses the pose by {miss[real].max():.1e}")
     if case.kind == FREE and not ik.form.chosen:

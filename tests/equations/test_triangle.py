@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.joints import around
 from pieper.equations.triangle import triangle_of
 
 WRIST = ["denso-vp6242", "puma-560", "abb-irb120", "kuka-kr16-2", "staubli-tx60", "kuka-kr210-l150"]
@@ -72,7 +73,7 @@ def test_the_sides_and_the_joint_are_the_arms(arm):
         assert low - 1e-9 <= found.third(q) <= high + 1e-9
         # the sentence on the page: q = +-(180 - gamma) - constant
         bend = np.pi - found.inner(q)
-        off = [abs((q[found.elbow - 1] + found.constant - s * bend + np.pi) % (2 * np.pi) - np.pi) for s in (1, -1)]
+        off = [abs(around(q[found.elbow - 1] + found.constant - s * bend)) for s in (1, -1)]
         assert min(off) < 1e-9
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.joints import around
 from pieper import Status
 from pieper.solver.redundant.at_arm_angle import by_sweep
 
@@ -44,7 +45,7 @@ def angle_by_definition(arm, q):
 
 def turned(a, b):
     """Return angles a - b around the circle."""
-    return (np.asarray(a) - b + np.pi) % (2 * np.pi) - np.pi
+    return around(np.asarray(a) - b)
 
 
 @pytest.mark.parametrize("name", SPHERICAL + OFFSET)

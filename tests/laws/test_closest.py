@@ -292,3 +292,16 @@ def test_where_only_the_turn_is_missed_the_turn_is_told(name: str, turn: float):
     sols = arm.ik(arm.fk(arm.limits.mean(1)) @ pieper.pose(0, 0, 0, rpy=(turn, 0, 0)))
     assert sols.status.name == "OUT_OF_REACH" and sols.closest.radians == pytest.approx(turn, rel=1e-3)
     assert f"not turned this way; at best {np.degrees(turn):.3g} deg are missing" in sols.why
+
+
+@pytest.mark.parametrize("name", ["epson-g6-651s", "adept-cobra-600"])
+def test_a_pose_missed_by_a_turn_alone_is_no_further_turned_where_the_elbow_is_straight(name):
+    arm, rng = pieper.load(name), np.random.default_rng(1)
+    for _ in range(12):
+        q = rng.uniform(-0.5, 0.5, arm.n)
+        q[1], q[2] = 10 ** rng.uniform(-8, -6), arm.limits[2].mean()
+        T = arm.fk(q)
+        x, y = 1e-8 * rng.uniform(0.5, 1, 2)  # two joints turn about upright axes: no posture leans so
+        T[:3, :3] = np.array([[1, 0, y], [0, 1, -x], [-y, x, 1]]) @ T[:3, :3]
+        near = arm.ik(T).closest
+        assert near.metres < 1e-11 and near.radians < 1.2 * np.hypot(x, y)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from oracle.arms.known import free
+from oracle.joints import turns_apart
 from pieper import DH, Arm, Status
 from pieper.solver.singular import near_curve
 
@@ -31,7 +32,7 @@ def told(arm: Arm, q: np.ndarray) -> bool:
     sols = arm.ik(T)
     if any(motion.contains(q, 1e-5) for motion in sols.self_motions):
         return True
-    apart = np.abs((sols.all_q - q + np.pi) % (2 * np.pi) - np.pi).max(1)
+    apart = turns_apart(sols.all_q, q).max(1)
     sigma = np.linalg.svd(arm.jacobian(q), compute_uv=False)[-1]
     if apart.min(initial=np.inf) < (1e-6 + 1e-14 / sigma if sigma > 3e-14 else 1e-6):
         return True

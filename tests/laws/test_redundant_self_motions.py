@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.joints import around
 from pieper import DH, Arm, Status
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.kinematics.pose import rotation_about
@@ -14,9 +15,9 @@ from pieper.solver.singular.trace import trace
 POSTURE = np.array([0.4, -0.7, 0.5, 1.1, -0.6, 0.9, 0.3])
 
 
-def around(a, b):
+def turned(a, b):
     """Return angles a - b around the circle."""
-    return (np.asarray(a) - b + np.pi) % (2 * np.pi) - np.pi
+    return around(np.asarray(a) - b)
 
 
 def random_seven(rng) -> Arm:
@@ -115,8 +116,8 @@ def on_the_slice(arm, T, joint, value, starts, rng):
         q[:, free] += step
     good = np.abs(arm.fk(q) - T).max((1, 2)) < 1e-9
     for row in q[good]:
-        if not any(np.abs(around(row, other)).max() < 1e-5 for other in found):
-            found.append(around(row, 0.0))
+        if not any(np.abs(turned(row, other)).max() < 1e-5 for other in found):
+            found.append(turned(row, 0.0))
     return np.array(found).reshape(-1, 7)
 
 
@@ -153,7 +154,7 @@ def test_limits_turns_and_nearest_of_a_batch_are_those_of_the_oracle(name):
         found = on_the_slice(arm, T[i], joint, q[i, joint], 1500, rng)
         rows = many.q[i][many.valid[i]]
         assert len(rows) == len(found)
-        assert max(np.abs(around(rows, other)).max(1).min() for other in found) < 1e-6
+        assert max(np.abs(turned(rows, other)).max(1).min() for other in found) < 1e-6
         variants = [v for v in (inside(arm, row) for row in found) if len(v)]
         assert many.in_limits[i].sum() == len(variants)
         one = arm.ik(T[i], redundancy=q[i, joint])
@@ -193,9 +194,9 @@ def test_what_the_limits_leave_of_the_self_motions_is_what_slices_leave(name):
         sols = arm.ik(T, redundancy=value)
         points = np.concatenate([f.at_joint(joint, value) for f in motions])
         for row, ok in zip(sols.all_q, sols.in_limits, strict=True):
-            assert np.abs(around(points, row)).max(1).min() < 1e-6
+            assert np.abs(turned(points, row)).max(1).min() < 1e-6
             motion = min(motions, key=lambda f: f.distance(row))
-            near = int(np.argmin(np.abs(around(motion.samples, row)).max(1)))
+            near = int(np.argmin(np.abs(turned(motion.samples, row)).max(1)))
             s = motion.u[near]
             inner = any(a + 0.02 < s < b - 0.02 for a, b in motion.inside)
             outer = not any(a - 0.02 < s < b + 0.02 for a, b in motion.inside)

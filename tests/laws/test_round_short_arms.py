@@ -61,10 +61,6 @@ LOST: dict[str, tuple[str, str, list[DH], list[float]]] = {
         [DH(-0.2, 0, 0.2), DH(0.3, -H, -0.15), DH(0, 0, 0, pi), DH(0.25, K, 0, pi), DH(0, K, 0, H)],
         [0, pi, 0.1, 0, 0.2],
     ),
-}
-
-#: Lost still: an isolated posture beside a self-motion of another; one a kernel sees nothing of, nor of poses beside.
-OPEN: dict[str, tuple[str, str, list[DH], list[float]]] = {
     "PRRRPR, beside a self-motion": (
         "modified",
         "PRRRPR",
@@ -112,13 +108,6 @@ def test_a_posture_that_was_once_lost_is_told(name):
     assert is_told(Arm.from_dh(rows, convention=convention, joint_types=types), np.array(q, float))
 
 
-@pytest.mark.xfail(strict=True, reason="two of what round postures still lose")
-@pytest.mark.parametrize("name", OPEN)
-def test_a_posture_that_is_lost_still(name):
-    convention, types, rows, q = OPEN[name]
-    assert is_told(Arm.from_dh(rows, convention=convention, joint_types=types), np.array(q, float))
-
-
 @pytest.mark.parametrize("name", TYPED)
 def test_a_twist_of_pi_is_half_a_turn(name):
     convention, types, rows = TYPED[name]
@@ -151,7 +140,7 @@ def test_drawn_round_arms_tell_all_but_one_in_fifty_of_their_round_postures():
     while tried < 25:
         arm = drawn(rng)
         try:
-            if arm.plan.redundancy or arm.plan.family == "two_slides":  # which OPEN has one of
+            if arm.plan.redundancy:
                 continue
         except pieper.PlanError:
             continue
@@ -209,3 +198,19 @@ def test_a_hair_beside_a_round_posture_no_row_of_a_short_arm_is_lost(name):
             for rows, ok, p in zip(many.q, many.valid, q, strict=True)
         ]
         assert max(away) < 1e-6
+
+
+def test_a_pose_rounded_to_nine_digits_is_not_looked_at_with_care_where_the_posture_is_regular(monkeypatch):
+    """Its own row misses it by the rounding, and nothing merges so near: there is no other to look for."""
+    from pieper.solver.singular import careful
+
+    looked: list[np.ndarray] = []
+    every = careful.every_solution
+    monkeypatch.setattr(careful, "every_solution", lambda plan, T, rows: looked.append(T) or every(plan, T, rows))
+    arm, rng = pieper.load("dfrobot-rob0036"), np.random.default_rng(0)
+    q = rng.uniform(-1.5, 1.5, (400, 5))
+    s = np.linalg.svd(arm.jacobian(q), compute_uv=False)
+    q = q[s[:, -1] > 0.02 * s[:, 0]]
+    status = arm.ik_many(np.round(arm.fk(q), 9), threads=1).status
+    assert np.isin(status, [Status.SOLVED, Status.OUT_OF_REACH]).all() and np.any(status == Status.OUT_OF_REACH)
+    assert len(looked) <= len(q) // 50

@@ -8,8 +8,8 @@ import pytest
 from oracle.arms.known import free
 from pieper import DH, Arm
 from pieper.kinematics.newton import missed
-from pieper.solver.singular.self_motion import TracedMotion
 from pieper.solver.singular.trace import trace
+from pieper.solver.singular.traced_motion import TracedMotion
 
 ARMS = ["denso-vp6242", "universal-robots-ur5e", "stanford-arm", "unimation-puma-560"]
 

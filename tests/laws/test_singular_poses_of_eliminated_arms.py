@@ -13,7 +13,7 @@ from oracle.joints import on_singular
 from pieper import DH, Arm, Status
 from pieper.kinematics.newton import missed
 from pieper.solver.singular.careful import every_solution
-from pieper.solver.singular.self_motion import TracedMotion
+from pieper.solver.singular.traced_motion import TracedMotion
 
 
 def two_slides() -> Arm:

@@ -31,8 +31,6 @@ ARMS = {
 
 
 OUT = [1e-3, 1e-5, 1e-6, 1e-7, 1e-9, 0.0]
-#: Where the two roots of the fold are as far apart as a pose in double precision tells them, they are two and doubted.
-DOUBTED = pytest.param(1e-7, marks=pytest.mark.xfail(strict=True, reason="told, and UNCERTAIN all the same"))
 
 
 def drawn_in(name: str, out: float) -> tuple[Arm, np.ndarray]:
@@ -58,7 +56,7 @@ def test_the_posture_that_made_the_pose_is_told_however_far_the_slide_is_drawn_i
         assert np.abs(many.q[i][many.valid[i]] - sols.all_q).max(initial=0.0) < 1e-9
 
 
-@pytest.mark.parametrize("out", [DOUBTED if out == 1e-7 else out for out in OUT])
+@pytest.mark.parametrize("out", OUT)
 @pytest.mark.parametrize("name", ARMS)
 def test_poses_with_the_slide_drawn_in_are_not_doubted(name, out):
     arm, q = drawn_in(name, out)

@@ -15,7 +15,7 @@ from oracle.arms.kinds import (
     spherical_wrist_parallel,
     three_parallel,
 )
-from oracle.joints import random_joints
+from oracle.joints import around, random_joints
 from tests.laws.of_kinds import of_kinds
 
 TURN = 2 * np.pi
@@ -24,7 +24,7 @@ TURN = 2 * np.pi
 def joint_gap(arm, a, b):
     """Return largest joint differences (...), angles around the circle, prismatic joints per length of the arm."""
     prismatic = arm.chain.prismatic
-    gap = np.where(prismatic, (a - b) / arm.chain.length, (a - b + np.pi) % TURN - np.pi)
+    gap = np.where(prismatic, (a - b) / arm.chain.length, around(a - b))
     return np.abs(gap).max(-1)
 
 

@@ -9,7 +9,7 @@ from oracle import judge, machine
 from oracle.arms.known import free
 from pieper import Arm
 from pieper.kinematics.newton import missed
-from pieper.solver.singular.self_motion import TracedMotion
+from pieper.solver.singular.traced_motion import TracedMotion
 
 
 def wrist_on_axis_1(arm: Arm, q: np.ndarray, joint: int) -> np.ndarray | None:

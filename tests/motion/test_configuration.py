@@ -1,5 +1,7 @@
 """Configuration words: they tell every solution of a pose from the others, whole turns included."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -12,7 +14,7 @@ ARMS = [
     (name, maker)
     for name in pieper.catalog()
     for maker, (said, *_) in MAKERS.items()
-    if said in pieper.load(name).description.manufacturer.lower()
+    if any(word in pieper.load(name).description.manufacturer.lower() for word in said)
 ]
 #: Wrists that do not meet in a point, or seven joints: the makers' words are not defined for them here.
 WITHOUT = {
@@ -91,6 +93,35 @@ def test_the_words_do_not_change_with_the_place_the_arm_stands_in():
     q = np.radians([20, 10, -20, 30, 40, 50])
     ours, theirs = moved.configuration(q, "fanuc"), arm.configuration(q, "fanuc")
     assert (ours.words, ours.turns) == (theirs.words, theirs.turns)
+
+
+@pytest.mark.parametrize("maker", MAKERS)
+def test_an_arm_of_another_maker_has_no_words(maker):
+    own = next(name for name, of in ARMS if of == maker and name not in WITHOUT)
+    for name in ("abb-irb2400", "kuka-kr6-r900-sixx", "universal-robots-ur5e", "staubli-tx2-60", own):
+        arm = pieper.load(name)
+        q = np.radians([10, 20, 15, -20, 30, 40])
+        if (name, maker) in ARMS:
+            assert arm.configuration(q, maker).words
+            continue
+        with pytest.raises(InputError, match=f"is made by {arm.description.manufacturer}; {maker}'s words"):
+            arm.configuration(q, maker)
+
+
+@pytest.mark.parametrize("line, told", [("", True), ('manufacturer = "Yaskawa Electric"\n', False)])
+def test_an_arm_that_names_no_maker_is_taken_for_one_and_its_words_and_files_say_so(line, told, tmp_path):
+    arm, file = pieper.load("motoman-gp7"), tmp_path / "mine.toml"
+    arm.save(file)
+    file.write_text(re.sub("manufacturer = .*\n", line, file.read_text()))
+    mine = pieper.load(file)
+    assert bool(mine.description.manufacturer) != told
+    q = np.radians([10, 20, 15, -20, 30, 40])
+    ours, theirs = mine.configuration(q, "yaskawa"), arm.configuration(q, "yaskawa")
+    assert (ours.words, ours.turns) == (theirs.words, theirs.turns)
+    assert ("names no maker" in ours.rule) == told and "names no maker" not in theirs.rule
+    pieper.Program(mine, pieper.Limits(2.0, 8.0), start=q).move_j(q + 0.1).write(tmp_path / "a.jbi")
+    head = " ".join((tmp_path / "a.jbi").read_text().replace("\n'", " ").split())
+    assert ("names no maker" in head) == told
 
 
 @pytest.mark.parametrize(

@@ -85,15 +85,15 @@ def test_yaml_of_ros_is_yaml(tmp_path):
 
 
 def test_every_arm_of_a_maker_can_be_written_for_it(tmp_path):
-    from pieper.motion.dialects.configuration import MAKERS
+    from pieper.motion.dialects.configuration import MAKERS, is_of
     from pieper.motion.dialects.shape import has_shape
 
     dialects = {"abb": "rapid", "kuka": "krl", "fanuc": "fanuc-ls", "yaskawa": "inform", "denso": "pacscript"}
     count = 0
     for name in pieper.catalog():
         arm = pieper.load(name)
-        for maker, (said, *_) in MAKERS.items():
-            if said not in arm.description.manufacturer.lower() or not has_shape(arm.plan):
+        for maker in MAKERS:
+            if not is_of(arm.description.manufacturer or "nobody", maker) or not has_shape(arm.plan):
                 continue
             low, high = np.clip(arm.limits, -3, 3).T
             q = low + 0.6 * (high - low)

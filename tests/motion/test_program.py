@@ -1,5 +1,7 @@
 """Programs: one timed motion with its events, corners cut within their radius, and every bad input answered."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -170,6 +172,46 @@ def test_what_cannot_be_reached_is_said_with_the_moves_number():
     with pytest.raises(InputError, match="joint_6 has none"):
         pieper.Program(ARM, pieper.Limits([1.0] * 5, 1.0), start=HOME)
     assert p.motion().margin <= 1
+
+
+def test_a_move_that_stops_does_not_say_that_there_is_no_cure_where_nobody_looked():
+    arm = pieper.load("denso-vp6242")
+    start, T = arm.postures["line-start"], pieper.pose(350, 0, 300, mm=True)
+    with pytest.raises(NoSolutionError, match="move 1 cannot be followed") as told:
+        pieper.Program(arm, LIMITS, start=start).move_l(T)
+    # the same line alone: two changes let it pass, each followed to its end
+    track = arm.follow(pieper.line(arm.fk(start), T, n=33), start=start)
+    assert len(track.cures) == 2 and all(cure.track.complete for cure in track.cures)
+    assert "No cure was found" not in str(told.value) and "not looked for" in str(told.value)
+    assert not dataclasses.replace(track, seek=None).cures
+    assert "cure" not in dataclasses.replace(track, seek=None).explain().lower()
+
+
+def zigzag(rng, arm, home, blend, kind):
+    p, T = pieper.Program(arm, LIMITS, start=home), arm.fk(home)
+    for k in range(5):
+        T = shifted(T, *(0.03 * (-1) ** (k + 1) * rng.integers(0, 2, 3) - [0.01, 0.0, 0.0]))
+        p.move_l(T, blend=blend) if kind == "move_l" else p.move_j(T, blend=blend)
+    return p
+
+
+@pytest.mark.parametrize("kind", ["move_l", "move_j"])
+def test_blends_that_both_shrink_to_the_half_of_a_way_meet_there(kind):
+    rng, whole = np.random.default_rng(3), 0
+    for _ in range(40):
+        try:
+            p = zigzag(rng, ARM, HOME, 0.1, kind)
+        except (InputError, NoSolutionError):
+            continue  # a move of no length, or out of reach
+        motion = p.motion()
+        assert motion.margin <= 1 and np.isfinite(motion.q).all()
+        assert np.abs(motion.q[-1] - p.moves[-1].q).max() < 1e-9
+        assert any("shrinks" in remark for remark in motion.remarks)
+        # another formula: rates are differences of the positions, and nothing jumps
+        off = np.abs(np.gradient(motion.q, motion.t, axis=0) - motion.dq)[1:-1]
+        assert off.max() < 0.02 * np.abs(motion.dq).max()
+        whole += 1
+    assert whole > 10
 
 
 def test_an_empty_program_rests():

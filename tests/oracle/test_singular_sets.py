@@ -7,6 +7,7 @@ import pytest
 
 from oracle import gap, judge, machine, search
 from oracle.arms.known import free
+from oracle.joints import turns_apart
 
 QUARTER = np.pi / 2
 
@@ -61,7 +62,7 @@ def root(arm, q, joint, nearest):
     line[:, joint] = values
     det = np.linalg.det(arm.jacobian(line))
     turns = np.flatnonzero(det[:-1] * det[1:] < 0)
-    off = np.abs((values[turns] - nearest + np.pi) % (2 * np.pi) - np.pi)
+    off = turns_apart(values[turns], nearest)
     k = turns[off.argmin()]
     lower, upper, sign = values[k], values[k + 1], np.sign(det[k])
     point = q.copy()

@@ -8,7 +8,7 @@ import pytest
 import pieper
 from oracle import exact_residual, judge, machine, search
 from oracle.arms.known import KINDS, free, perturbed
-from oracle.joints import random_joints
+from oracle.joints import random_joints, turns_apart
 from pieper import DH, Arm
 
 QUARTER = np.pi / 2
@@ -163,7 +163,7 @@ def test_at_the_edge_of_reach_both_roots_are_there_inside_and_none_outside(name,
     q[2] += np.sqrt(short_of)
     T = arm.fk(q)
     sols = arm.ik(T)
-    gap = np.abs((sols.all_q - q + np.pi) % (2 * np.pi) - np.pi).max(1)
+    gap = turns_apart(sols.all_q, q).max(1)
     assert gap.min() < 1e-6
     verdict = judge(arm, T, rows=sols.all_q, families=sols.self_motions, starts=800)
     assert not verdict.missing and not verdict.wrong
@@ -185,4 +185,4 @@ def straight(arm):
 
 
 def _near(rows, q, tolerance):
-    return [np.abs((row - q + np.pi) % (2 * np.pi) - np.pi).max() < tolerance for row in rows]
+    return [turns_apart(row, q).max() < tolerance for row in rows]

@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy import arccos, arcsin, arctan, arctan2, cos, hypot, sin, sqrt
 
+from oracle.joints import turns_apart
+
 COUNT = 400
 Rows = list[tuple[float, float, float, Any]]
 Checks = Iterator[tuple[str, np.ndarray]]
@@ -42,7 +44,7 @@ def joints(n: int, slides: tuple[int, ...] = (), seed: int = 5) -> np.ndarray:
 
 def same(value: np.ndarray, wanted: np.ndarray) -> np.ndarray:
     with np.errstate(invalid="ignore"):
-        return np.abs((value - wanted + np.pi) % (2 * np.pi) - np.pi) < 1e-8
+        return turns_apart(value, wanted) < 1e-8
 
 
 def equal(value: Any, wanted: Any) -> np.ndarray:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from oracle.joints import around
 from pieper import DH, Arm
 
 TO_METRES = {"m": 1.0, "mm": 1e-3}
@@ -36,4 +37,4 @@ def pose_of(entry: dict, rows) -> np.ndarray:
 def same(a: np.ndarray, b: np.ndarray, slides: np.ndarray) -> np.ndarray:
     """Return the largest joint differences (k, m) between joint vectors a (k, n) and b (m, n), around the circle."""
     gap = a[:, None] - b[None]
-    return np.abs(np.where(slides, gap, (gap + np.pi) % (2 * np.pi) - np.pi)).max(-1)
+    return np.abs(np.where(slides, gap, around(gap))).max(-1)

@@ -22,10 +22,12 @@ def test_an_arm_is_freed_once_nobody_holds_it(name):
     T = arm.fk(np.full(arm.n, 0.3))
     sols = arm.ik(T)
     assert sols.labels and sols.why and arm.plan.explain() and len(arm.ik_many(T[None])) == 1
-    arm_left, plan_left = weakref.ref(arm), weakref.ref(arm.plan)
-    del arm, sols
+    beyond = arm.ik(pieper.pose(90.0, 0.0, 0.0))
+    assert not len(beyond) and beyond.why and arm.closest(beyond.T).metres > 1
+    held = [weakref.ref(one) for one in (arm, arm.plan, arm.chain)]
+    del arm, sols, beyond
     gc.collect()
-    assert arm_left() is None and plan_left() is None
+    assert not [one() for one in held if one() is not None]
 
 
 @pytest.mark.parametrize("name", ["denso-vs6577", "franka-panda"])

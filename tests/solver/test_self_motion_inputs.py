@@ -55,5 +55,5 @@ def test_names_mean_what_they_mean_everywhere(asked):
 def test_a_solution_beyond_the_last_says_how_many_there_are():
     arm = pieper.load("denso-vp6242")
     sols = arm.ik(pieper.pose(0.35, 0, 0.4))
-    with pytest.raises(IndexError, match="solution 7 of 1 solution inside the limits; they count from 0"):
+    with pytest.raises(IndexError, match="index 7 of 1 solution inside the limits; indices begin at 0"):
         sols[7]

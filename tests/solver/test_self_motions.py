@@ -136,3 +136,22 @@ def test_at_an_arm_angle_the_posture_that_has_it_is_found_and_every_row_has_it(n
         assert np.abs(arm.fk(rows) - T).max() < 1e-9
         assert turns_apart(arm.arm_angle(rows)[0], angle).max() < 1e-6
         assert len(rows) == len(np.unique(np.round(np.sin(rows), 5), axis=0)), "no row stands twice"
+
+
+@pytest.mark.parametrize("limits", [(1.0, 2.0), (-3.0, -0.4), (0.1, 0.2), (-0.5, 0.5)])
+def test_the_representative_of_two_axes_in_one_line_is_the_smallest_point_inside(limits):
+    arm_name, q, _ = CASES["two axes in one line"]
+    arm = pieper.load(arm_name)
+    wide = dict.fromkeys(arm.joint_names, (-3.1, 3.1))
+    arm = arm.with_limits(wide | {"joint_4": limits, "joint_6": (-5.5, 5.5)})
+    sols = arm.ik(arm.fk(np.array(q)))
+    inside = [motion for motion in sols.self_motions if motion.inside]
+    assert inside
+    for motion in inside:
+        at = motion.at(0.2)
+        sense = -np.sign(np.prod((motion.at(0.3) - at)[[3, 5]]))
+        fourth = np.linspace(*limits, 20001)
+        sixth = sense * (at[3] + sense * at[5] - fourth)[:, None] + 2 * np.pi * np.arange(-2, 3)
+        size = np.where(np.abs(sixth) <= 5.5, fourth[:, None] ** 2 + sixth**2, np.inf)
+        least = fourth[np.unravel_index(np.argmin(size), size.shape)[0]]
+        assert abs(motion.representative[3] - least) < 2e-4 and abs(motion.representative[5]) <= 5.5

@@ -338,10 +338,24 @@ def renamed() -> Iterator[Violation]:
     yield from (Violation("no such name", where, what) for where, what in missing())
 
 
+def turns_by_hand() -> Iterator[Violation]:
+    """Yield remainders of whole turns that are taken elsewhere than where joints are measured."""
+    for path in files(*GROUPS["src"]):
+        if path.parent != SOURCE / "kinematics":
+            for node in ast.walk(ast.parse(path.read_text())):
+                if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mod) and whole_turn(node.right):
+                    yield Violation("turn by hand", f"{path.relative_to(ROOT)}:{node.lineno}", ast.unparse(node))
+
+
+def whole_turn(node: ast.expr) -> bool:
+    """Return whether an expression is 2 pi by any of its names."""
+    return ast.unparse(node) in {"TURN", "2 * np.pi", "2 * math.pi", "2 * pi", "np.pi * 2", "math.tau", "2.0 * np.pi"}
+
+
 @cache
 def violations() -> dict[str, Violation]:
     """Return everything that breaks a rule, by the line that says so."""
-    rules = (upward, unexported, private_names, in_circles, sizes, fossils, thresholds, renamed)
+    rules = (upward, unexported, private_names, in_circles, sizes, fossils, thresholds, renamed, turns_by_hand)
     return {str(v): v for rule in rules for v in rule()}
 
 

@@ -5,9 +5,9 @@ Usage: python -m tests.tools.mutants [--count 200] [--seed 1] [--wings solver mo
 
 The sample is drawn once from the seed; what was tried is kept in out/mutants.json and not tried again, so a run that
 was stopped goes on. A change is made in a copy of the package (build/mutants), never in the tree. Each file of the
-wing's tests is run once under coverage, which says what test reaches which line: a change is tried on those that reach
-it, those of its own file first, then the quickest. What takes far more processor time than on the untouched code
-counts as noticed.
+wing's tests is run once on a copy in which the places that are changed say that they are evaluated: a change is tried
+on the tests that come to it, those of its own file first, then the quickest, until one fails. A file of tests that was
+written since is run for that again. What takes far more processor time than on the untouched code counts as noticed.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from __future__ import annotations
 import argparse
 import ast
 import copy
+import hashlib
 import importlib.util
 import json
 import math
@@ -31,15 +32,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from coverage import Coverage
 
-from tests.tools.reached import TIMES, Recorded, ordered, reaching
+from tests.tools.reached import INTO, PROBES, TEXT, Recorded, ordered, probed, reaching, within_functions
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src" / "pieper"
 COPY = ROOT / "build" / "mutants" / "pieper"
 KEPT = ROOT / "out" / "mutants.json"
-REACHED = ROOT / "out" / "reached"
 #: The quick tests of each wing, and its slow ones.
 TESTS = {"solver": ["tests/solver", "tests/kernels"], "motion": ["tests/motion"], "judge": ["tests/judge"]}
 SLOW = {"solver": ["tests/laws", "tests/oracle"], "motion": [], "judge": ["tests/papers"]}
@@ -146,7 +145,7 @@ def sample(wings: list[str], count: int, seed: int) -> list[Change]:
 def tested(tests: list[str], limit: float | None, *, into: Path | None = None) -> tuple[str, float]:
     """Run tests on the copy; return "noticed by ..." or "survived", and the processor seconds it took.
 
-    Into a file of coverage's goes what they reach, if one is named; then all are run, else only until one fails.
+    Into a file goes which places they come to, if one is named; then all are run, else only until one fails.
     """
 
     def work() -> int:
@@ -155,13 +154,8 @@ def tested(tests: list[str], limit: float | None, *, into: Path | None = None) -
         words = "-q -p no:cacheprovider --no-header --tb=no -n 0".split()
         if into is None:
             return int(pytest.main([*words, "-x", *tests]))
-        os.environ[TIMES] = str(into.with_suffix(".json"))
-        seen = Coverage(data_file=str(into), source_pkgs=["pieper"], config_file=False)
-        seen.start()
-        code = int(pytest.main([*words, "-p", "tests.tools.reached", *tests]))
-        seen.stop()
-        seen.save()
-        return code
+        os.environ[INTO] = str(into)
+        return int(pytest.main([*words, "-p", "tests.tools.reached", *tests]))
 
     return limited(work, limit)
 
@@ -205,27 +199,35 @@ def limited(work: Callable[[], int], limit: float | None) -> tuple[str, float]:
 
 
 def recorded(state: dict[str, Any], folders: list[str], longest: float | None) -> list[Recorded]:
-    """Return what each file of tests reaches; those not seen before are run under coverage, and kept one by one."""
-    REACHED.mkdir(parents=True, exist_ok=True)
+    """Return what each file of tests comes to; those not seen as they are now are run on the copy that says so."""
     out = []
-    for file in (str(p.relative_to(ROOT)) for folder in folders for p in sorted((ROOT / folder).rglob("test_*.py"))):
-        data = REACHED / file.replace("/", ".")
-        if file not in state["seconds"]:
-            said, spent = tested([file], longest, into=data)
-            times = data.with_suffix(".json")
-            state["seconds"][file] = json.loads(times.read_text()) if times.exists() else {}
+    for path in (p for folder in folders for p in sorted((ROOT / folder).rglob("test_*.py"))):
+        file, text = str(path.relative_to(ROOT)), hashlib.sha1(path.read_bytes()).hexdigest()
+        if state["reached"].get(file, {}).get("text") != text:
+            into = COPY.parent / "reached.json"
+            into.unlink(missing_ok=True)
+            said, spent = tested([file], longest, into=into)
+            seen = json.loads(into.read_text()) if into.exists() else {"seconds": {}, "places": {}}
+            state["reached"][file] = {"text": text, **seen}
             keep(state)
             left = " is left out: it takes too long" if said == "noticed: it takes too long" else ""
-            print(f"[{spent:.0f} s] what {file} reaches{left}", flush=True)
-        if data.exists():
-            out.append(Recorded(state["seconds"][file], data))
+            print(f"[{spent:.0f} s] what {file} comes to{left}", flush=True)
+        out.append(Recorded(state["reached"][file]["seconds"], state["reached"][file]["places"]))
     return out
 
 
-def tried(change: Change, known: list[Recorded], budget: float | None) -> tuple[str, float, int]:
-    """Try a change on the tests that reach it; return what is said, the processor seconds and how many were asked."""
-    first, _, last, _ = change.span
-    tests = reaching(known, COPY / change.path, range(first, last + 1))
+def with_probes(chosen: list[Change]) -> None:
+    """Make the copy say which of the places to change are evaluated."""
+    (COPY / f"{PROBES}.py").write_text(TEXT)
+    for path in {c.path for c in chosen}:
+        places = {k: c.span for k, c in enumerate(chosen) if c.path == path}
+        (COPY / path).write_text(probed((SOURCE / path).read_text(), places))
+
+
+def tried(change: Change, place: int, known: list[Recorded], budget: float | None) -> tuple[str, float, int]:
+    """Try a change on the tests that come to it; return what is said, the processor seconds and how many were asked."""
+    loaded = change.span not in within_functions(ast.parse((SOURCE / change.path).read_text()))
+    tests = reaching(known, place, loaded=loaded)
     asked = ordered(tests, Path(change.path).stem, budget)
     if not asked:
         return "survived", 0.0, 0
@@ -244,9 +246,12 @@ def copied() -> None:
         shutil.copy(native, COPY)
 
 
-def kept() -> dict[str, Any]:
-    """Return what was tried before, and the times of the tests."""
-    return json.loads(KEPT.read_text()) if KEPT.exists() else {"tried": {}, "seconds": {}}
+def kept(chosen: list[Change]) -> dict[str, Any]:
+    """Return what was tried before, and who comes where: of this sample, for any other is numbered otherwise."""
+    state = json.loads(KEPT.read_text()) if KEPT.exists() else {}
+    names = [c.name for c in chosen]
+    reached = state.get("reached", {}) if state.get("sample") == names else {}
+    return {"sample": names, "tried": state.get("tried", {}), "reached": reached}
 
 
 def keep(state: dict[str, Any]) -> None:
@@ -273,29 +278,33 @@ def main() -> None:
     parser.add_argument("--again", action="store_true", help="try the survivors again, after new tests")
     parser.add_argument("--seconds", type=float, default=math.inf, help="stop after so many, and go on another time")
     args = parser.parse_args()
-    begin, state, chosen = time.monotonic(), kept(), sample(list(TESTS), args.count, args.seed)
-    chosen = [c for c in chosen if c.path.split("/")[0] in args.wings]
+    begin, every = time.monotonic(), sample(list(TESTS), args.count, args.seed)
+    state = kept(every)
+    chosen = [(k, c) for k, c in enumerate(every) if c.path.split("/")[0] in args.wings]
     if args.again:
         state["tried"] = {name: said for name, said in state["tried"].items() if said != "survived"}
-    copied()
     for name in LOADED:
         if importlib.util.find_spec(name):
             importlib.import_module(name)
-    for i, change in enumerate(chosen):
+    copied()
+    with_probes(every)
+    known = {
+        wing: recorded(state, TESTS[wing] + ([] if args.quick else SLOW[wing]), args.longest) for wing in args.wings
+    }
+    copied()
+    for i, (place, change) in enumerate(chosen):
         if change.name in state["tried"]:
             continue
-        wing = change.path.split("/")[0]
-        known = recorded(state, TESTS[wing] + ([] if args.quick else SLOW[wing]), args.longest)
         target, original = COPY / change.path, (SOURCE / change.path).read_text()
         target.write_text(with_change(original, change))
-        said, spent, asked = tried(change, known, args.budget)
+        said, spent, asked = tried(change, place, known[change.path.split("/")[0]], args.budget)
         target.write_text(original)
         state["tried"][change.name] = said
         keep(state)
         print(f"[{i + 1} of {len(chosen)}, {asked} tests, {spent:.0f} s] {change.name}: {said[:120]}", flush=True)
         if time.monotonic() - begin > args.seconds:
             break
-    told = [c for c in chosen if c.name in state["tried"]]
+    told = [c for _, c in chosen if c.name in state["tried"]]
     survivors = [c.name for c in told if state["tried"][c.name] == "survived"]
     print(f"{len(told)} of {len(chosen)} changes tried, {len(survivors)} of them not noticed:", *survivors, sep="\n")
 

@@ -21,6 +21,7 @@ from pathlib import Path
 import numpy as np
 
 import pieper
+from oracle.joints import around
 from pieper.description import catalog, robottext
 from pieper.description.dh import DH, Check, Description
 from tests.tools.own_tree import Array, Joint, joints_of, meant, moving, product, way
@@ -183,7 +184,7 @@ def reach_posture(joints: list[Joint]) -> tuple[Array, float] | None:
                     q[4] -= _slope(joints, names, q, sign)
                 z = product(joints, dict(zip(names, q, strict=True)))[:3, :3] @ _axis6(joints, names)
                 if abs(z[2]) > 1 - 1e-14:
-                    q = (q + np.pi) % (2 * np.pi) - np.pi
+                    q = around(q)
                     return q, far
     return None
 

@@ -1,42 +1,113 @@
-"""Which tests reach which line, and what processor time each takes: read by tests.tools.mutants.
+"""Which tests come to which place that is changed, and what processor time each takes: read by tests.tools.mutants.
 
-As a plugin of pytest (-p tests.tools.reached, under coverage) it names what is running to coverage and writes the times
-beside coverage's file. What a test's preparation reaches counts for every test of its file, which may share it.
+In a copy of the package each place that a change would alter says that it is evaluated, beside doing what it does:
+that costs a call where coverage costs one a line, so a run of the tests is hardly longer for it. As a plugin of pytest
+(-p tests.tools.reached) this file knows which test is running, and writes down what it came to and how long it took.
+What a test's preparation comes to counts for every test of its file, which may share it.
 """
 
 from __future__ import annotations
 
+import ast
+import importlib
 import json
 import os
 import time
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
-from coverage import Coverage, CoverageData
 
-#: Where the plugin writes the processor seconds of each test; not named: it does nothing.
-TIMES = "PIEPER_TIMES_OF_TESTS"
+#: Where the plugin writes what it saw; not named: it does nothing.
+INTO = "PIEPER_REACHED_BY_TESTS"
+#: The module of the copy that is told what is evaluated, its text, and what its function is called where it is used.
+PROBES, CALLED = "probes", "_evaluated"
+TEXT = """RUNNING, SEEN = [""], {}
+
+
+def evaluated(number):
+    SEEN.setdefault(RUNNING[0], set()).add(number)
+"""
+Span = tuple[int, int, int, int]
 spent: dict[str, float] = {}
 passed: set[str] = set()
 
 
 class Recorded(NamedTuple):
-    """What one file of tests does: the processor seconds of each test, and coverage's file of what it reaches."""
+    """What one file of tests does: the processor seconds of each test, and the places that each comes to."""
 
     seconds: dict[str, float]
-    lines: Path
+    places: dict[str, list[int]]
 
 
-def _named(context: str) -> None:
-    if (running := Coverage.current()) is not None:
-        running.switch_context(context)
+class _Probing(ast.NodeTransformer):
+    """Puts a call before each expression that is changed; what stands outside of functions is asked of all of them."""
+
+    def __init__(self, at: dict[Span, list[int]], outside: Iterable[int]):
+        self.at, self.outside, self.depth = at, list(outside), 0
+
+    def visit(self, node: ast.AST) -> Any:
+        if isinstance(node, ast.pattern):
+            return node
+        function = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+        self.depth += function
+        self.generic_visit(node)
+        self.depth -= function
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            first = isinstance(node.body[0], ast.Expr) and isinstance(node.body[0].value, ast.Constant)
+            node.body[first:first] = [ast.Expr(_call(k)) for k in self.outside]
+        elif isinstance(node, ast.expr) and self.depth:
+            span = (node.lineno, node.col_offset, node.end_lineno or 0, node.end_col_offset or 0)
+            if numbers := self.at.get(span):
+                return ast.BoolOp(ast.Or(), [*map(_call, numbers), node])
+        return node
+
+
+def _call(number: int) -> ast.Call:
+    return ast.Call(ast.Name(CALLED, ast.Load()), [ast.Constant(number)], [])
+
+
+def within_functions(tree: ast.Module) -> set[Span]:
+    """Return where the expressions stand that are evaluated when a function runs, not when its file is loaded."""
+    bodies = (n.body for n in ast.walk(tree) if isinstance(n, ast.FunctionDef | ast.AsyncFunctionDef))
+    inner = (e for body in bodies for line in body for e in ast.walk(line) if isinstance(e, ast.expr))
+    return {(e.lineno, e.col_offset, e.end_lineno or 0, e.end_col_offset or 0) for e in inner}
+
+
+def probed(text: str, numbered: dict[int, Span]) -> str:
+    """Return a file's text in which each of these numbered places says that it is evaluated."""
+    tree = ast.parse(text)
+    inside = within_functions(tree)
+    at: dict[Span, list[int]] = {}
+    for number, span in numbered.items():
+        if span in inside:
+            at.setdefault(span, []).append(number)
+    tree = _Probing(at, [k for k, span in numbered.items() if span not in inside]).visit(tree)
+    first = next(
+        (i for i, n in enumerate(tree.body) if not (_is_text(n) or getattr(n, "module", "") == "__future__")),
+        len(tree.body),
+    )
+    loaded = ast.ImportFrom(f"pieper.{PROBES}", [ast.alias("evaluated", CALLED)], 0)
+    tree.body.insert(first, loaded)
+    return ast.unparse(ast.fix_missing_locations(tree))
+
+
+def _is_text(node: ast.stmt) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+
+
+def _probes() -> Any:
+    return importlib.import_module(f"pieper.{PROBES}")
+
+
+def _named(running: str) -> None:
+    if INTO in os.environ:
+        _probes().RUNNING[0] = running
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
-    """Count what a preparation reaches for the whole file."""
+    """Count what a preparation comes to for the whole file."""
     _named(item.nodeid.split("::")[0])
 
 
@@ -52,7 +123,7 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[None]:
-    """Count what a test itself reaches for it alone."""
+    """Count what a test itself comes to for it alone."""
     _named(pyfuncitem.nodeid)
     try:
         return (yield)
@@ -67,34 +138,24 @@ def pytest_runtest_logreport(report: pytest.TestReport) -> None:
 
 
 def pytest_sessionfinish() -> None:
-    """Write the times."""
-    if path := os.environ.get(TIMES):
-        Path(path).write_text(json.dumps({name: s for name, s in spent.items() if name in passed}))
+    """Write the times, and who came where."""
+    if path := os.environ.get(INTO):
+        seconds = {name: s for name, s in spent.items() if name in passed}
+        places = {name: sorted(numbers) for name, numbers in _probes().SEEN.items()}
+        Path(path).write_text(json.dumps({"seconds": seconds, "places": places}))
 
 
-@cache
-def _contexts(data: Path, source: str) -> dict[int, list[str]]:
-    read = CoverageData(basename=str(data))
-    read.read()
-    return read.contexts_by_lineno(source)
+def reaching(recorded: list[Recorded], place: int, *, loaded: bool) -> dict[str, float]:
+    """Return the tests that come to a place, with their times.
 
-
-def reaching(recorded: list[Recorded], source: Path, lines: range) -> dict[str, float]:
-    """Return the tests that reach any of these lines of a file, with their times; on none of them, any of the file.
-
-    A line that no test reaches while it runs is one that stands outside of functions, or one that nothing reaches:
-    for the first every test that reaches anything of the file is asked.
+    What is evaluated when a file is loaded may matter to any test, so all are asked where a place is such a one.
     """
     out: dict[str, float] = {}
-    anywhere: dict[str, float] = {}
-    for seconds, data in recorded:
-        for line, contexts in _contexts(data, str(source)).items():
-            whole = any(context and "::" not in context for context in contexts)
-            tests = seconds if whole else {name: seconds[name] for name in contexts if name in seconds}
-            anywhere |= tests
-            if line in lines:
-                out |= tests
-    return out or anywhere
+    for seconds, places in recorded:
+        for name, numbers in places.items():
+            if place in numbers:
+                out |= seconds if "::" not in name else {name: seconds[name]} if name in seconds else {}
+    return out | ({name: s for seconds, _ in recorded for name, s in seconds.items()} if loaded else {})
 
 
 def ordered(tests: dict[str, float], module: str, budget: float | None) -> list[str]:

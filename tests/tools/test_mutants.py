@@ -11,7 +11,7 @@ import pytest
 
 from tests.tools import mutants
 from tests.tools.mutants import Change, changes, limited, sample, with_change
-from tests.tools.reached import ordered
+from tests.tools.reached import Recorded, ordered, probed, reaching
 
 
 def test_what_works_longer_than_its_processor_time_is_stopped_and_what_only_waits_is_not():
@@ -81,3 +81,35 @@ def test_columns_count_bytes(text, tmp_path, monkeypatch):
     turned = next(c for c in changes(tmp_path / "a.py") if c.after == "1 >= 2")
     assert isinstance(turned, Change)
     assert with_change(text, turned) == text.replace("1 < 2", "(1 >= 2)")
+
+
+def test_a_place_says_that_it_is_evaluated_and_the_text_does_what_it_did():
+    text = (
+        '"""Words."""\n\nfrom __future__ import annotations\n\nAT_ONCE = 3\n\n\n'
+        "def f(x: int = 7):\n    if x < 0:\n        return -x\n    return [x + k for k in range(AT_ONCE)]\n"
+    )
+    spans = {node_text: _span(text, node_text) for node_text in ("AT_ONCE = 3", "x < 0", "-x", "x + k")}
+    numbered = {0: (5, 10, 5, 11), 1: spans["x < 0"], 2: spans["-x"], 3: spans["x + k"]}
+    seen: list[int] = []
+    module = probed(text, numbered)
+    assert module.index("__future__") < module.index("probes") < module.index("AT_ONCE")
+    there: dict = {"_evaluated": seen.append}
+    exec(module.replace("from pieper.probes import evaluated as _evaluated", ""), there)
+    assert there["f"](2) == [2, 3, 4] and set(seen) == {0, 1, 3}
+    seen.clear()
+    assert there["f"](-2) == 2 and seen == [0, 1, 2]
+
+
+def _span(text: str, part: str) -> tuple[int, int, int, int]:
+    line = next(i for i, words in enumerate(text.splitlines()) if part in words)
+    column = text.splitlines()[line].index(part)
+    return line + 1, column, line + 1, column + len(part)
+
+
+def test_a_test_is_asked_that_comes_to_the_place_and_all_are_where_it_is_evaluated_when_the_file_is_loaded():
+    one = Recorded({"a.py::x": 1.0, "a.py::y": 2.0}, {"a.py::x": [3], "a.py::failed": [3, 4]})
+    two = Recorded({"b.py::z": 0.5}, {"b.py": [4], "": [3]})
+    assert reaching([one, two], 3, loaded=False) == {"a.py::x": 1.0, "b.py::z": 0.5}, "one when its file is read"
+    assert reaching([one, two], 4, loaded=False) == {"b.py::z": 0.5}
+    assert reaching([one, two], 5, loaded=False) == {}
+    assert reaching([one, two], 5, loaded=True) == {"a.py::x": 1.0, "a.py::y": 2.0, "b.py::z": 0.5}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import threading
 
 import numpy as np
@@ -94,6 +96,35 @@ def test_the_script_of_the_screen_makes_the_same_arm_to_the_last_bit(arm):
         exec("\n".join(["import numpy as np", "import pieper", *snippet.arm_lines(one)]), found)
         q = np.linspace(0.1, 0.7, one.n)
         assert np.array_equal(found["arm"].fk(q), one.fk(q))
+
+
+def test_the_script_of_the_screen_keeps_the_world_and_what_of_the_program_cannot_be_done(arm):
+    """Obstacles are made and asked after; the step that cannot be done and those behind it stand there as comments."""
+    box = {"kind": "box", "name": "shelf", "T": pieper.pose(0.6, 0, 0).ravel().tolist(), "size": [0.1, 0.2, 0.3]}
+    tube = {"kind": "cylinder", "name": "tube", "T": pieper.pose(0, 0.6, 0).ravel().tolist(), "r": 0.05, "h": 0.4}
+    held = {**box, "name": "workpiece", "role": "object"}
+    q = np.asarray(arm.postures["line-start"])
+    far = pieper.pose(3, 0, 0).ravel().tolist()
+    steps = [
+        {"kind": "joint", "q": NEXT},
+        {"kind": "line", "T": far},
+        {"kind": "wait", "seconds": 0.5},
+        {"kind": "output", "port": 3, "value": True},
+    ]
+    limits = {"speed": [2.0] * arm.n, "acceleration": [8.0] * arm.n}
+    message = {"q": q.tolist(), "world": [box, tube, held], "program": {"steps": steps, "limits": limits}}
+    message["program"]["start"] = q.tolist()
+    text = snippet.python(arm, message)["text"]
+    found: dict = {}
+    with contextlib.redirect_stdout(io.StringIO()) as said:
+        exec(text, found)
+    assert found["scene"].names == ("shelf", "tube")
+    assert float(found["arm"].distance(q, found["scene"])) == float(arm.distance(q, around.scene_of([box, tube])))
+    assert "clear" in said.getvalue().lower() or "hit" in said.getvalue().lower()
+    assert len(found["program"].instructions) == 1
+    left = [line for line in text.splitlines() if line.startswith("#")]
+    assert left[0].startswith("# step 2 cannot be done: ") and "reach" in left[0]
+    assert [line.split("(")[0] for line in left[1:]] == ["# program.move_l", "# program.wait", "# program.output"]
 
 
 @pytest.mark.parametrize(

@@ -207,8 +207,8 @@ class SphericalWristParallelKernel {
                                                                          const F (&w)[3], Shoulder<F>& a) {
     const double b = P.b, scale = P.scale, here = kSwpOnSingularity * scale;
     F rho = sqrt(a.R2), gap = rho - __builtin_fabs(b);
-    a.degenerate = a.x2 < shoulder_near(P);
     a.beyond = gap < -kSwpBeyond * scale;
+    a.degenerate = (a.x2 < shoulder_near(P)) & !a.beyond;  // well inside the circle there is nothing to look at
     Mask<F> edge = (gap < 0.0) & (gap >= -kSwpOvershoot * scale);
     Mask<F> on_axis = (rho <= here) & mask_of<F>(__builtin_fabs(b) <= here);
     a.x = sqrt(max(gap * (rho + __builtin_fabs(b)), F(0.0)));

@@ -75,7 +75,8 @@ def _real_roots(coefficients: np.ndarray) -> np.ndarray:
     """Return the real roots of a polynomial, ascending, after two steps of Newton's method on all of them.
 
     Two that meet may come out as a pair beside the axis: they are real where the polynomial vanishes there to its last
-    digit. Where leading coefficients vanish the roots are infinite, the angle half a turn.
+    digit. Or they come out apart, each with half its digits, and their middle has them all. Where leading coefficients
+    vanish the roots are infinite, the angle half a turn.
     """
     leading = int(np.argmax(np.abs(coefficients) > LEADING_NONE * np.abs(coefficients).max()))
     coefficients = coefficients[leading:]
@@ -86,9 +87,16 @@ def _real_roots(coefficients: np.ndarray) -> np.ndarray:
             moved = roots - np.polyval(coefficients, roots) / np.polyval(slope, roots)
             roots = np.where(np.isfinite(moved) & (np.abs(moved - roots) < 1 + np.abs(roots)), moved, roots)
     off, far = np.abs(roots.imag), 1 + np.abs(roots)
-    meeting = np.abs(np.polyval(coefficients, roots.real)) < DOUBLE_ROOT_VANISHES * np.polyval(size, np.abs(roots.real))
-    real = (off < REAL_ROOT * far) | ((off < DOUBLE_ROOT_APART * far) & meeting)
-    return np.concatenate([np.sort(roots[real].real), np.full(leading, np.inf)])
+
+    def vanishes(x: np.ndarray) -> np.ndarray:
+        return np.abs(np.polyval(coefficients, x)) < DOUBLE_ROOT_VANISHES * np.polyval(size, np.abs(x))
+
+    real = (off < REAL_ROOT * far) | ((off < DOUBLE_ROOT_APART * far) & vanishes(roots.real))
+    found = np.sort(roots[real].real)
+    middle, apart = (found[1:] + found[:-1]) / 2, np.diff(found)
+    for k in np.flatnonzero((apart < DOUBLE_ROOT_APART * (1 + np.abs(middle))) & vanishes(middle)):
+        found[k : k + 2] = middle[k]
+    return np.concatenate([found, np.full(leading, np.inf)])
 
 
 def _settled(x: Any) -> Any:

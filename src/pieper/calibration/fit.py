@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from pieper import arguments
 from pieper.calibration.axes_file import text_of_axes
 from pieper.calibration.measurements import Measurements
 from pieper.calibration.model import AxesModel
@@ -80,7 +81,7 @@ class Fit:
         held_out: The error on held-out poses; None where none were.
         sigma: The noise (m, rad) that was said, or else estimated.
         spread: Residuals over noise: far above 1 something else than these numbers is at work.
-        outliers: Rows that were left out as no noise (loss "huber").
+        outliers: Indices of the rows that were left out as no noise (loss "huber").
         rows: How many poses were fitted and how many held out.
         kind: What was measured.
         set_up: Measurements with their set-up as fitted: fixed point, or plane.
@@ -193,12 +194,17 @@ class Fit:
         )
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Write the calibrated arm as a robot file that keeps its axes, whole or not at all; not with harmonics."""
+        """Write the calibrated arm as a robot file that keeps its axes, whole or not at all; not with harmonics.
+
+        Raises:
+            InputError: Another ending than .toml, or a place that cannot be written.
+        """
+        path = arguments.file_ending(path, (".toml", ""), "a calibrated arm")
         description = self.arm.description
         text = text_of_axes(description, self.model)
         with whole_file(path) as file:
             file.write(text.encode())
-        return Path(path)
+        return path
 
     def headline(self) -> str:
         """Return the error on held-out poses in one sentence."""
@@ -235,8 +241,8 @@ class Fit:
                 "data."
             )
         if self.outliers:
-            rows = ", ".join(str(i) for i in self.outliers)
-            lines.append(f"Left out as no noise: row{'s' if len(self.outliers) > 1 else ''} {rows} (counted from 0).")
+            which = ", ".join(str(i + 1) for i in self.outliers)
+            lines.append(f"Left out as no noise: measurement{'s' if len(self.outliers) > 1 else ''} {which}.")
         if held and self.held_out is not None and self.held_out.count < self.held_out.of:
             lines.append(
                 f"{self.held_out.of - self.held_out.count} held-out rows are outliers too and were not judged."

@@ -47,7 +47,7 @@ def command(arm: pieper.Arm, file: str, out: str, rate: float, speed: float, siz
 
 
 def _two(text: str, what: str) -> tuple[float, float]:
-    values = numbers([text], what)
+    values = numbers([text], what, pairs=True)
     if len(values) != 2:
         raise pieper.InputError(f"{what} takes two numbers, got {len(values)}.", given=values)
     return values[0], values[1]

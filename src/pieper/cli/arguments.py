@@ -54,26 +54,58 @@ class Target:
     bare: bool
 
 
-def numbers(words: Sequence[str], what: str) -> list[float]:
+def numbers(words: Sequence[str], what: str, *, pairs: bool = False) -> list[float]:
     """Return the numbers of words that may hold several, apart by spaces or commas, or name a file as @file.
+
+    Between semicolons or tabs a comma stands before decimals.
 
     Args:
         words: What was typed. Expressions such as pi/2 or sqrt(2)/2 are numbers too.
         what: Its name, for messages.
+        pairs: Whether "0,5 0,7" may be four numbers. Elsewhere nobody can tell whether they are two.
 
     Raises:
         InputError: Something is not a number; the message says which word.
     """
-    out: list[float] = []
+    parts: list[tuple[str, str]] = []
     for word in words:
         if word.startswith("@"):
-            lines = (line.split("#")[0] for line in read_text(word[1:], what).splitlines())
-            parts = [part for line in lines for part in re.split(r"[\s,;\[\]]+", line)]
-            out += [number(part, f"{what}, file {word[1:]}") for part in parts if part]
+            lines = [line.split("#")[0].strip("[] \t") for line in read_text(word[1:], what).splitlines()]
+            parts += [(part, f"{what}, file {word[1:]}") for line in lines for part in _parts(line, pairs)]
             continue
         brackets = "[]() \t\n" if word.count("(") == word.count(")") + 1 else "[] \t\n"
-        out += [number(part, what) for part in re.split(r"[\s,;]+", word.strip(brackets)) if part]
-    return out
+        parts += [(part, what) for part in _parts(word.strip(brackets), pairs)]
+    for part, where in parts:
+        if not pairs and len(parts) > 1 and PAIR.fullmatch(part):
+            raise InputError(
+                f"{where}: a comma parts numbers, so {part} is two. Write {_with_a_point(part)} with a point where it "
+                "is one, and a space behind the comma where it is not.",
+                given=part,
+            )
+    return [number(one.strip("[]"), where) for part, where in parts for one in part.split(",") if one.strip("[]")]
+
+
+#: Two numbers and a comma, or one with a comma before its decimals or between its thousands.
+PAIR = re.compile(r"[+-]?\d[\d.]*,\d[\d.]*")
+
+
+def _parts(text: str, pairs: bool) -> list[str]:
+    """Return what stands between spaces, semicolons and tabs."""
+    cells = re.split(r"[;\t\n]", text)
+    if len(cells) > 1 and not pairs and all(len(re.findall(r"\d,\d", cell)) < 2 for cell in cells):
+        cells = [with_points(cell) for cell in cells]
+    return [part for cell in cells for part in re.sub(r",\s+|\s+,", " ", cell).split()]
+
+
+def with_points(text: str) -> str:
+    """Return text with points for its decimal commas."""
+    return re.sub(r"(?<=\d),(?=\d)", ".", text)
+
+
+def _with_a_point(text: str) -> str:
+    """Return how a number with a comma may have been meant: the last sign stands before the decimals."""
+    whole, sign, decimals = text.rpartition("," if text.rfind(",") > text.rfind(".") else ".")
+    return whole.replace(",", "").replace(".", "") + sign.replace(",", ".") + decimals
 
 
 def number(text: str, what: str) -> float:
@@ -88,7 +120,10 @@ def number(text: str, what: str) -> float:
         try:
             value = pieper.evaluate(text)
         except ValueError as error:
-            raise InputError(f"{what}: {text!r} is not a number ({str(error).rstrip('.')}).", given=text) from None
+            why = str(error).rstrip(".")
+            if re.fullmatch(r"[+-]?\d[\d.,'\u2019\u00a0\u202f ]*", text):
+                why = "a point stands before decimals, and nothing between thousands"
+            raise InputError(f"{what}: {text!r} is not a number ({why}).", given=text) from None
     if not math.isfinite(value):
         raise InputError(f"{what}: {text!r} is not finite.", given=text)
     return value
@@ -158,12 +193,6 @@ def target(words: Sequence[str], units: Units, order: str = "rpy", what: str = "
         InputError: Another count of numbers, not a rotation.
     """
     values = numbers(words, what)
-    parted = [word for word in words if re.fullmatch(r"[+-]?\d+,\d+", word)]
-    if parted and len(values) != len(words) and len(words) in (3, 6, 7):
-        raise InputError(
-            f"{what}: a comma parts numbers, so {parted[0]} is two. Write {parted[0].replace(',', '.')}, with a point.",
-            given=parted[0],
-        )
     T, bare = posed(values, units, order, what)
     far = float(np.linalg.norm(T[:3, 3]))
     if units.length == "mm" and 0 < far < SUSPICIOUSLY_SMALL:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import csv
+from dataclasses import dataclass
 from pathlib import Path
 
 import click
@@ -12,9 +12,11 @@ import numpy.typing as npt
 import pieper
 from pieper import InputError
 from pieper.cli.arguments import number, read_text
+from pieper.cli.decimal_sign import DecimalSign
+from pieper.cli.number_table import cells_of, delimiter_of
 from pieper.cli.options import as_json, order, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
-from pieper.cli.output import say
+from pieper.cli.output import plural, say
 from pieper.cli.pose_file import PoseFile
 from pieper.cli.status import DONE
 from pieper.cli.units import ANGLES, LENGTHS, Units
@@ -72,10 +74,10 @@ def command(
 
     Example: pieper calibrate denso-vp6242 measured.csv --out my-denso.toml
     """
-    rows = _rows(data)
-    q = _joints(arm, rows, units, data)
+    table = _Data.of(data)
+    q = _joints(arm, table, units)
     if kind in COLUMN:
-        measured = _column(rows, COLUMN[kind], LENGTHS, units.metres, data, required=kind == "distance")
+        measured = _column(table, COLUMN[kind], LENGTHS, units.metres, required=kind == "distance")
     else:
         poses = np.concatenate(list(PoseFile(data, units, order).blocks()))
         measured = poses if kind == "pose" else poses[:, :3, 3]
@@ -100,7 +102,7 @@ def command(
                 "arm": arm.name,
                 "held_out": held,
                 "unobservable": fit.unobservable,
-                "outliers": fit.outliers,
+                "outliers": [index + 1 for index in fit.outliers],
                 "sigma": fit.sigma,
                 "spread": fit.spread,
                 "axes": fit.model.axes,
@@ -116,51 +118,65 @@ def command(
     return DONE
 
 
-def _rows(name: str) -> list[list[str]]:
-    text = read_text(name, "DATA.csv")
-    lines = [line for line in (raw.split("#")[0].strip() for raw in text.splitlines()) if line]
-    if len(lines) < 2:
-        raise InputError(f"{name} needs a line of column names and a line a pose.", path=name)
-    mark = max(",;\t", key=lines[0].count)
-    return [[cell.strip() for cell in row] for row in csv.reader(lines, delimiter=mark)]
+@dataclass(frozen=True)
+class _Data:
+    """A table of measurements: names of its columns, its lines by their number, and the sign before decimals."""
+
+    name: str
+    heads: list[str]
+    lines: dict[int, list[str]]
+    sign: DecimalSign | None
+
+    @staticmethod
+    def of(name: str) -> _Data:
+        given = [raw.split("#")[0].strip() for raw in read_text(name, "DATA.csv").splitlines()]
+        numbers = [at for at, line in enumerate(given, 1) if line]
+        if len(numbers) < 2:
+            raise InputError(f"{name} needs a line of column names and a line a pose.", path=name)
+        mark = delimiter_of(given[numbers[0] - 1])
+        cells = {at: cells_of(given[at - 1], mark) for at in numbers}
+        return _Data(name, cells.pop(numbers[0]), cells, DecimalSign(name) if mark in ";\t" else None)
+
+    def value(self, at: int, column: int) -> float:
+        cells, what = self.lines[at], f"{self.name}, line {at}"
+        if len(cells) != len(self.heads):
+            said = f"{what}: {plural(len(cells), 'cell')} where the first line has {len(self.heads)}."
+            raise InputError(said, path=self.name, line=at)
+        if self.sign is None:
+            return number(cells[column], what)
+        self.sign.look(at, [cells[column]])
+        return number(self.sign.with_points(cells[column]), what)
 
 
-def _joints(arm: pieper.Arm, rows: list[list[str]], units: Units, name: str) -> Numbers:
+def _joints(arm: pieper.Arm, table: _Data, units: Units) -> Numbers:
     columns = []
     for i, (joint, kind) in enumerate(zip(arm.joint_names, arm.joint_types, strict=True)):
         sizes, own = (ANGLES, units.radians) if kind == "R" else (LENGTHS, units.metres)
-        found = _column(rows, joint, sizes, own, name, required=False)
+        found = _column(table, joint, sizes, own, required=False)
         if found is None:
-            found = _column(rows, f"q{i + 1}", sizes, own, name, required=False)
+            found = _column(table, f"q{i + 1}", sizes, own, required=False)
         if found is None:
             raise InputError(
-                f"{name}: there is no column for {joint}: call it {joint}_{next(iter(sizes))}, or q{i + 1}. "
-                f"It has {', '.join(rows[0])}.",
-                path=name,
+                f"{table.name}: there is no column for {joint}: call it {joint}_{next(iter(sizes))}, or q{i + 1}. "
+                f"It has {', '.join(table.heads)}.",
+                path=table.name,
                 missing=joint,
             )
         columns.append(found)
     return np.stack(columns, 1)
 
 
-def _column(
-    rows: list[list[str]], stem: str, sizes: dict[str, float], own: float, name: str, *, required: bool
-) -> Numbers | None:
+def _column(table: _Data, stem: str, sizes: dict[str, float], own: float, *, required: bool) -> Numbers | None:
     """Return a column (N,), SI, by its name with or without a unit."""
-    for at, head in enumerate(rows[0]):
+    for j, head in enumerate(table.heads):
         said = head.lower()
         unit = said.removeprefix(f"{stem.lower()}_")
         if said != stem.lower() and not (said.startswith(f"{stem.lower()}_") and unit in sizes):
             continue
-        factor = own if said == stem.lower() else sizes[unit]
-        values = []
-        for line, row in enumerate(rows[1:], 2):
-            if len(row) != len(rows[0]):
-                raise InputError(f"{name}, row {line}: {len(row)} cells, the first has {len(rows[0])}.", path=name)
-            values.append(number(row[at], f"{name}, row {line}"))
-        return np.array(values) * factor
+        return np.array([table.value(at, j) for at in table.lines]) * (own if said == stem.lower() else sizes[unit])
     if required:
-        raise InputError(f"{name}: there is no column {stem}; it has {', '.join(rows[0])}.", path=name, missing=stem)
+        said = f"{table.name}: there is no column {stem}; it has {', '.join(table.heads)}."
+        raise InputError(said, path=table.name, missing=stem)
     return None
 
 

@@ -13,6 +13,7 @@ import click
 
 from pieper import PieperError
 from pieper.cli.status import DONE, INTERRUPTED, MISUSE
+from pieper.cli.stopping import Stopped, signals_interrupt
 
 #: Optional packages and the extra that brings each.
 EXTRAS = {
@@ -35,15 +36,16 @@ def guarded(app: Callable[..., Any], arguments: list[str] | None) -> int:
         arguments: What stands after the program's name; None for the process's own.
 
     Returns:
-        0 done, 1 no solution, 2 misuse, 130 interrupted.
+        0 done, 1 no solution, 2 misuse, 130 interrupted, 128 and the signal's number where another ended it.
     """
     warnings.showwarning = _say_warning
     if isinstance(sys.stdout, io.TextIOWrapper):
         # a terminal that knows no infinity sign still gets the numbers
         sys.stdout.reconfigure(errors="replace")
     try:
-        status = app(arguments, prog_name="pieper", standalone_mode=False)
-        sys.stdout.flush()
+        with signals_interrupt():
+            status = app(arguments, prog_name="pieper", standalone_mode=False)
+            sys.stdout.flush()
         return int(status) if isinstance(status, int) else DONE
     except PieperError as error:
         return _misuse(str(error))
@@ -62,9 +64,10 @@ def guarded(app: Callable[..., Any], arguments: list[str] | None) -> int:
         if package in EXTRAS:
             return _misuse(f"this needs {package}: pip install 'pieper[{EXTRAS[package]}]'")
         raise
-    except (KeyboardInterrupt, click.Abort):
-        _say("interrupted; nothing half written was left behind.")
-        return INTERRUPTED
+    except (KeyboardInterrupt, click.Abort) as stop:
+        cause = stop.__cause__ if isinstance(stop, click.Abort) else stop
+        _say(str(cause or "") or "interrupted; nothing half written was left behind.")
+        return cause.status if isinstance(cause, Stopped) else INTERRUPTED
     except BrokenPipeError:
         # the reader (head, less) has gone; keep the interpreter from complaining about it at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -28,7 +28,8 @@ def command(arm: pieper.Arm, joints: tuple[str, ...], frames: bool, csv: str, js
 
     JOINTS is one number a joint, a posture's name, or @file. A file @joints.csv is a table with one joint vector a row,
     its columns named (shoulder_deg, or q1_deg, q2_deg, ...), in any order, or in the joints' order without names; out
-    come position, rotation matrix and whether it lies inside the limits, row by row.
+    come position, rotation matrix and whether it lies inside the limits, row by row. A run with --csv that was stopped
+    keeps its rows in FILE.part: the same command goes on there.
 
     Examples: pieper fk denso-vp6242 0 51.5 -150.6 0 99.1 0; pieper fk ur5e @joints.csv --csv poses.csv
     """

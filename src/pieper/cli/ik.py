@@ -69,7 +69,8 @@ def command(
 
     A file @poses.csv is a table with one pose a row. Its columns may be named, in any order: x_mm or x_m, y, z, and
     roll, pitch, yaw (_deg or _rad), or qw, qx, qy, qz, or r11 to r33, and so on. With --csv the solutions are written
-    into a file, without it to the standard output; with --json one object a line.
+    into a file, without it to the standard output; with --json one object a line. A run with --csv that was stopped
+    keeps its rows in FILE.part: the same command goes on there.
 
     Examples: pieper ik denso-vp6242 350 0 400 --all; pieper ik ur5e @poses.csv --csv out.csv
     """
@@ -81,6 +82,8 @@ def command(
 
         if figure:
             raise pieper.InputError("--figure draws one pose, not a file of poses.")
+        if csv and json:
+            raise pieper.InputError("the solutions of a table go into --csv FILE or out as --json: leave one out.")
         return solve_file(Request(arm, pose[0][1:], units, order, task or None, spare, now, everything, csv, json))
     solved = _solve(arm, target(pose, units, order), task or None, spare)
     found = _Rows.of(arm, solved.sols, solved.plan, everything)

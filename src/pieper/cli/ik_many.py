@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import contextlib
 import sys
 from dataclasses import dataclass, replace
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.cli.many import progress, put
+from pieper.cli.kept_rows import fingerprint, rows_to
+from pieper.cli.many import progress
 from pieper.cli.number_table import refuse_same
-from pieper.cli.output import as_json, plural, si_units
+from pieper.cli.output import json_text, plural, si_units
 from pieper.cli.pose_file import PoseFile
 from pieper.cli.status import DONE, NO_SOLUTION
 from pieper.cli.units import Units
@@ -42,25 +42,43 @@ def solve_file(request: Request) -> int:
     """Solve every pose of a file; the status is 1 when one of them has no solution inside the limits."""
     poses = PoseFile(request.file, request.units, request.order)
     refuse_same(request.file, request.csv)
-    total = without = rows = 0
-    with contextlib.ExitStack() as stack:
-        read = stack.enter_context(progress(poses.size, "poses"))
-        out = stack.enter_context(pieper.whole_file(request.csv)) if request.csv else None
-        write = _json_lines if request.json else _csv_block
-        for block in poses.blocks(read):
-            if not total and poses.bare:
+    with progress(poses.size, "poses") as read, rows_to(request.csv, "pose", _question(request)) as out:
+        if "task" in out.notes:
+            request = replace(request, task=out.notes["task"])
+        for block in poses.blocks(read, out.place):
+            if not out.done and poses.bare:
                 request = _of_positions(request, block)
+                out.notes.update({"task": request.task} if request.task else {})
             many = request.arm.ik_many(block, near=request.near, task=request.task, redundancy=request.redundancy)
-            if not total and not request.json:
-                put(out, head(request.arm, request.units))
-            rows += write(request, many, block, total, out)
-            total += len(block)
-            without += int(np.count_nonzero(~many.in_limits.any(1)))
+            if not out.done and not request.json:
+                out.put(head(request.arm, request.units))
+            lines, rows = (_json_lines if request.json else _csv_block)(request, many, block, out.done)
+            out.put(lines)
+            without = int(np.count_nonzero(~many.in_limits.any(1)))
+            out.keep(poses.place, done=len(block), rows=rows, without=without)
     if poses.unused:
         print(f"pieper: note: not used of {request.file}: {', '.join(poses.unused)}.", file=sys.stderr)
-    said = f"{plural(total, 'pose')}, {without:,} of them without a solution inside the limits; {plural(rows, 'row')}"
+    without, rows = out.counts["without"], plural(out.counts["rows"], "row")
+    said = f"{plural(out.done, 'pose')}, {without:,} of them without a solution inside the limits; {rows}"
     print(said + (f" written: {request.csv}" if request.csv else "."), file=sys.stderr)
     return NO_SOLUTION if without else DONE
+
+
+def _question(request: Request) -> dict[str, Any]:
+    """Return what makes the rows of a request these rows."""
+    spare = request.redundancy
+    return {
+        "command": "ik",
+        "version of pieper": pieper.__version__,
+        "arm": fingerprint(request.arm),
+        "unit": request.units.said,
+        "--order": request.order,
+        "--task": request.task,
+        "--redundancy": spare.tolist() if isinstance(spare, np.ndarray) else spare,
+        "--near": None if request.near is None else request.near.tolist(),
+        "--all": request.everything,
+        "choice of CSV or JSON": request.json,
+    }
 
 
 def _of_positions(request: Request, block: npt.NDArray[np.float64]) -> Request:
@@ -95,12 +113,10 @@ def write_rows(
     status: str,
 ) -> None:
     """Write the solutions of one pose as CSV, whole or not at all."""
+    values = np.column_stack([q / units.of_joints(arm), inside.astype(float), residual / [units.metres, units.radians]])
+    lines = _lines(np.ones(len(q), int), np.arange(1, len(q) + 1), [status] * len(q), values)
     with pieper.whole_file(file) as out:
-        put(out, head(arm, units))
-        values = np.column_stack(
-            [q / units.of_joints(arm), inside.astype(float), residual / [units.metres, units.radians]]
-        )
-        put(out, _lines(np.ones(len(q), int), np.arange(1, len(q) + 1), [status] * len(q), values))
+        out.write((head(arm, units) + lines).encode())
 
 
 def _chosen(
@@ -115,8 +131,9 @@ def _chosen(
 
 
 def _csv_block(
-    request: Request, many: pieper.SolutionBatch, T: npt.NDArray[np.float64], before: int, out: BinaryIO | None
-) -> int:
+    request: Request, many: pieper.SolutionBatch, T: npt.NDArray[np.float64], before: int
+) -> tuple[str, int]:
+    """Return lines of CSV, and how many of them are solutions."""
     arm, units = request.arm, request.units
     pose, q, inside = _chosen(request, many)
     residual = arm.plan_for(request.task).residual(q, T[pose]) / [units.metres, units.radians]
@@ -130,8 +147,7 @@ def _csv_block(
     sorted_ = np.argsort(pose, kind="stable")
     names = {int(s): s.name for s in pieper.Status}
     status = [names[int(s)] for s in many.status[pose[sorted_]]]
-    put(out, _lines(pose[sorted_] + before + 1, solution[sorted_], status, values[sorted_]))
-    return len(q)
+    return _lines(pose[sorted_] + before + 1, solution[sorted_], status, values[sorted_]), len(q)
 
 
 def _lines(
@@ -150,10 +166,11 @@ def _lines(
 
 
 def _json_lines(
-    request: Request, many: pieper.SolutionBatch, T: npt.NDArray[np.float64], before: int, out: BinaryIO | None
-) -> int:
-    """Print one object a pose, in SI units."""
+    request: Request, many: pieper.SolutionBatch, T: npt.NDArray[np.float64], before: int
+) -> tuple[str, int]:
+    """Return one object a pose, in SI units, and how many solutions they hold."""
     pose, q, inside = _chosen(request, many)
+    lines = []
     for i in range(len(T)):
         mine = pose == i if len(T) < 64 else slice(*np.searchsorted(pose, [i, i + 1]))
         data = {
@@ -163,5 +180,5 @@ def _json_lines(
             "q": q[mine],
             "in_limits": inside[mine],
         }
-        as_json(data, indent=None)
-    return len(q)
+        lines.append(json_text(data, indent=None) + "\n")
+    return "".join(lines), len(q)

@@ -1,11 +1,10 @@
-"""What commands that work through a file have in common with a terminal: a progress bar, and where rows go."""
+"""What commands that work through a file show of it: a progress bar on a terminal."""
 
 from __future__ import annotations
 
 import contextlib
 import sys
 from collections.abc import Callable, Iterator
-from typing import BinaryIO
 
 import click
 
@@ -18,11 +17,3 @@ def progress(size: int, what: str) -> Iterator[Callable[[int], None]]:
         return
     with click.progressbar(length=size, label=what, file=sys.stderr, update_min_steps=1 << 18) as bar:
         yield bar.update
-
-
-def put(out: BinaryIO | None, text: str) -> None:
-    """Write text into a file, or where there is none to standard output."""
-    if out is None:
-        sys.stdout.write(text)
-    else:
-        out.write(text.encode())

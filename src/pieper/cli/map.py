@@ -81,7 +81,7 @@ def command(
 
     Example: pieper map denso-vp6242 --box "-600 600 -600 600 -200 800" --step 50 --out denso-map
     """
-    corners = [value * units.metres for value in numbers([box], "--box")]
+    corners = [value * units.metres for value in numbers([box], "--box", pairs=True)]
     counts = [int(word) for word in orientations.replace("x", " ").split() if word.isdigit()]
     if len(corners) != 6 or len(counts) != 2 or workers < 0:
         raise InputError(

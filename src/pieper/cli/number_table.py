@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import hashlib
 import io
 import re
 import sys
@@ -11,18 +12,33 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
-from typing import BinaryIO, ClassVar
+from typing import Any, BinaryIO, ClassVar
 
 import numpy as np
 import numpy.typing as npt
 
 from pieper import InputError
 from pieper.cli.arguments import number
+from pieper.cli.decimal_sign import DecimalSign
 from pieper.cli.output import plural
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
-#: Rows that are read, worked on and written at once.
-BLOCK = 20_000
+#: Rows that are read, worked on and written at once. A pose of some arms takes 2 ms: a run is stopped within a few
+#: seconds, and its progress seen; larger blocks are no faster.
+BLOCK = 2_000
+
+
+@dataclass(frozen=True)
+class Place:
+    """How much of a table was read.
+
+    Args:
+        lines: How many lines; 0 for none.
+        sha256: The checksum of them all.
+    """
+
+    lines: int = 0
+    sha256: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,11 +68,15 @@ class NumberTable(ABC):
     units: Units
     size: int = field(init=False)
     unused: tuple[str, ...] = field(default=(), init=False)
+    _read: int = field(default=0, init=False)
+    _checksum: Any = field(default_factory=hashlib.sha256, init=False)
+    _sign: DecimalSign = field(init=False)
     _twice: set[str] = field(default_factory=set[str], init=False)
     #: What a row is.
     thing: ClassVar[str]
 
     def __post_init__(self) -> None:
+        self._sign = DecimalSign(self.name)
         self.size = max(1, Path(self.name).stat().st_size) if Path(self.name).exists() else 1
 
     @abstractmethod
@@ -67,14 +87,18 @@ class NumberTable(ABC):
     def made(self, values: npt.NDArray[np.float64], what: str) -> npt.NDArray[np.float64]:
         """Return the things (k, ...) of rows (k, columns taken)."""
 
-    def blocks(self, read: Callable[[int], None] = lambda _: None) -> Iterator[npt.NDArray[np.float64]]:
+    def blocks(
+        self, read: Callable[[int], None] = lambda _: None, after: Place | None = None
+    ) -> Iterator[npt.NDArray[np.float64]]:
         """Yield the things, some thousands at a time.
 
         Args:
             read: Told how many bytes were read since it was last told.
+            after: Where an earlier reading of the same table was; what comes after it is yielded.
 
         Raises:
             InputError: The file cannot be read, a column is missing, or a row is not such a thing; the line is named.
+                Or it is not the table of the earlier reading.
         """
         with opened(self.name, self.thing) as file:
             lines = self._lines(file, read)
@@ -82,37 +106,54 @@ class NumberTable(ABC):
             if first is None:
                 raise InputError(f"{self.name} holds no {self.thing}.", path=self.name)
             _, line = first
-            delimiter = max(",;\t", key=line.count)
-            delimiter = delimiter if delimiter in line else " "
-            cells = self._cells(line, delimiter)
+            delimiter = delimiter_of(line)
+            cells = cells_of(line, delimiter)
             named = has_names(cells)
             pick, factors = self.columns(cells) if named else (list(range(len(cells))), np.ones(len(cells)))
-            lines = lines if named else _chained(first, lines)
+            got = bool(after and after.lines)
+            lines = lines if named or got else _chained(first, lines)
             form = Form(delimiter, len(cells), pick, factors)
-            got = False
+            if after and got:
+                self._skip(lines, after)
             while block := list(islice(lines, BLOCK)):
                 got = True
                 yield self._block(block, form)
             if not got:
                 raise InputError(f"{self.name} has names of columns, but no {self.thing} beneath them.", path=self.name)
 
+    @property
+    def place(self) -> Place:
+        """How much of the table was read."""
+        return Place(self._read, self._checksum.hexdigest())
+
+    def _skip(self, lines: Iterator[tuple[int, str]], after: Place) -> None:
+        """Read on to where an earlier reading was, and hold that it read the same."""
+        while self._read < after.lines and next(lines, None) is not None:
+            pass
+        if self.place != after:
+            raise InputError(
+                f"{self.name} is not what the stopped run read: something up to line {after.lines:,} is another.",
+                path=self.name,
+                read_before=after.lines,
+            )
+
     def _lines(self, file: BinaryIO, read: Callable[[int], None]) -> Iterator[tuple[int, str]]:
+        self._checksum = hashlib.sha256()
         for at, raw in enumerate(file, 1):
             read(len(raw))
+            self._checksum.update(raw)
+            self._read = at
             if text := text_of(raw, self.name, self.thing):
-                yield at, _with_points(text)
-
-    def _cells(self, line: str, delimiter: str) -> list[str]:
-        if delimiter == " ":
-            return line.split()
-        return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter))]
+                yield at, text
 
     def _block(self, block: list[tuple[int, str]], form: Form) -> npt.NDArray[np.float64]:
         """Return the things (k, ...) of lines: all at once, or, where that fails, one by one to say which is wrong."""
+        if form.delimiter in ";\t":
+            block = [(at, self._with_points(at, line, form)) for at, line in block]
         try:
-            if form.delimiter != " " and any(line.count(form.delimiter) != form.width - 1 for _, line in block):
-                raise ValueError
             mark = None if form.delimiter == " " else form.delimiter
+            if any((line.count(mark) + 1 if mark else len(line.split())) != form.width for _, line in block):
+                raise ValueError
             lines = [line for _, line in block]
             values = np.loadtxt(lines, delimiter=mark, comments=None, usecols=form.pick, ndmin=2)
             if not np.isfinite(values).all():
@@ -121,8 +162,14 @@ class NumberTable(ABC):
         except ValueError:
             return np.array([self._one(at, line, form) for at, line in block])
 
+    def _with_points(self, at: int, line: str, form: Form) -> str:
+        if self._sign.unsure(line):
+            cells = cells_of(line, form.delimiter)
+            self._sign.look(at, [cells[j] for j in form.pick if j < len(cells)])
+        return self._sign.with_points(line)
+
     def _one(self, at: int, line: str, form: Form) -> npt.NDArray[np.float64]:
-        cells = self._cells(line, form.delimiter)
+        cells = cells_of(line, form.delimiter)
         what = f"{self.name}, line {at}"
         if len(cells) != form.width:
             said = f"{what}: {plural(len(cells), 'cell')} where the first line has {form.width}."
@@ -205,9 +252,16 @@ def text_of(raw: bytes, name: str, thing: str) -> str:
         raise InputError(f"{thing}: {name} is not a text file.", path=name) from None
 
 
-def _with_points(line: str) -> str:
-    """Return a line of cells between semicolons or tabs with points for decimal commas, which many countries write."""
-    return re.sub(r"(?<=\d),(?=\d)", ".", line) if ";" in line or "\t" in line else line
+def delimiter_of(line: str) -> str:
+    """Return what parts the cells of a line: semicolons or tabs, beside which a comma stands before decimals."""
+    return max(";\t", key=line.count) if ";" in line or "\t" in line else "," if "," in line else " "
+
+
+def cells_of(line: str, delimiter: str) -> list[str]:
+    """Return the cells of a line."""
+    if delimiter == " ":
+        return line.split()
+    return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter))]
 
 
 def has_names(cells: list[str]) -> bool:

@@ -53,9 +53,14 @@ def plural(count: int, word: str, many: str = "") -> str:
 
 def as_json(value: Any, *, indent: int | None = 2) -> None:
     """Print a value as JSON; arrays become lists, infinities null."""
+    print(json_text(value, indent=indent))
+
+
+def json_text(value: Any, *, indent: int | None = 2) -> str:
+    """Return a value as JSON; arrays become lists, infinities null."""
     import json
 
-    print(json.dumps(_plain(value), indent=indent, ensure_ascii=False, allow_nan=False))
+    return json.dumps(_plain(value), indent=indent, ensure_ascii=False, allow_nan=False)
 
 
 def _plain(value: Any) -> Any:

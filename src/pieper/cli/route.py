@@ -102,7 +102,7 @@ def _freedom(free: bool, turn: str, cone: str, axis: str, units: Units) -> piepe
         if tilt[0] == 0:
             return None
         return pieper.Freedom(turn=(0.0, 0.0), cone=tilt[0] * units.radians, axis=axis)
-    typed = numbers([turn], "--turn") if turn else []
+    typed = numbers([turn], "--turn", pairs=True) if turn else []
     if turn and len(typed) != 2:
         raise pieper.InputError(f"--turn must be two angles, got {len(typed)}.", given=turn)
     if turn and typed[0] > typed[1]:

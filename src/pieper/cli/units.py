@@ -25,6 +25,11 @@ class Units:
         self.length, self.angle = length, angle
         self.metres, self.radians = LENGTHS[length], ANGLES[angle]
 
+    @property
+    def said(self) -> str:
+        """Both in one word or two."""
+        return f"{self.length} {self.angle}"
+
     def of_joints(self, arm: pieper.Arm) -> npt.NDArray[np.float64]:
         """Return the SI value (n,) of one unit of each joint."""
         return np.array([self.radians if kind == "R" else self.metres for kind in arm.joint_types])

@@ -137,7 +137,7 @@ def _nearest(q, Ts):
 
 """
 #: What a matrix means as a pose; the same for every module of arrays.
-RIGID = """_NO_POSE = "pose {} is no rigid motion: R^T R departs from I by more than @ACCEPTED@, or R is a mirror."
+RIGID = """_NO_POSE = "Ts[{}] is no rigid motion: R^T R departs from I by more than @ACCEPTED@, or R is a mirror."
 
 
 def _rigid(T):

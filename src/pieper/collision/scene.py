@@ -93,12 +93,17 @@ class Scene(Sequence[Shape]):
         return Scene(shapes_of(tables, top), allowed=[(a, b) for a, b in pairs])
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the scene as a file that `load` reads, whole or not at all."""
+        """Write the scene as a file that `load` reads, whole or not at all.
+
+        Raises:
+            InputError: Another ending than .toml, or a place that cannot be written.
+        """
+        path = arguments.file_ending(path, (".toml", ""), "a scene")
         tables = [{"name": name, **shape_keys(s)} for name, s in zip(self.names, self._obstacles, strict=True)]
         top: dict = {"bodies": tables}
         if self.allowed:
             top["collision"] = {"allowed": [list(pair) for pair in sorted(self.allowed)]}
-        replace_file(Path(os.fspath(path)), text_of(top))
+        replace_file(path, text_of(top))
 
     def __repr__(self) -> str:
         return f"<Scene of {plural(len(self), 'obstacle')}: {', '.join(self.names)}>"

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from pieper import arguments
 from pieper.document.writing import write_whole
 from pieper.errors import InputError
 
@@ -96,7 +97,7 @@ class Tabular:
         Raises:
             InputError: Another ending, or a place that cannot be written.
         """
-        target, columns = Path(path), self.columns(degrees=degrees, mm=mm)
+        target, columns = arguments.file(path), self.columns(degrees=degrees, mm=mm)
         if target.suffix == ".npz":
             content = io.BytesIO()
             np.savez_compressed(content, allow_pickle=False, **columns)

@@ -9,10 +9,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
+from pieper import arguments
 from pieper.errors import InputError
 
 #: What says that there is no room: a full disk, a used-up quota, a file larger than is allowed.
-NO_ROOM = {errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC)}
+NO_ROOM = {errno.ENOSPC, errno.EFBIG, errno.EDQUOT}
 
 
 @contextmanager
@@ -20,23 +21,32 @@ def whole_file(path: str | os.PathLike[str]) -> Generator[BinaryIO, None, None]:
     """Open a file that appears whole at the end of the block, or not at all when the block fails.
 
     Args:
-        path: Where to; what is written goes into a neighbour first, which is then renamed over it.
+        path: Where to; what is written goes into a neighbour first, which is then renamed over it. A link stays one,
+            and a device or a pipe is written as it comes.
 
     Yields:
         The file, open for writing bytes.
 
     Raises:
-        InputError: The folder does not exist or cannot be written, or there is no room; the message names it.
+        InputError: This is no path, or is a folder, or its folder does not exist or cannot be written, or there is no
+            room; the message names it.
     """
     import tempfile
 
-    path = Path(path)
+    given = arguments.file(path)
+    path = Path(os.path.realpath(given)) if given.is_symlink() else given
+    if path.is_dir():
+        raise InputError(f"{given} is a folder: give the name of a file in it.", path=given)
     name = None
     try:
+        if path.exists() and not path.is_file():
+            with path.open("wb") as file:
+                yield file
+            return
         handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent or Path("."))
         with os.fdopen(handle, "wb") as file:
             yield file
-        os.chmod(name, 0o666 & ~_umask())
+        os.chmod(name, path.stat().st_mode & 0o777 if path.exists() else 0o666 & ~_umask())
         os.replace(name, path)
         name = None
     except OSError as error:
@@ -46,7 +56,7 @@ def whole_file(path: str | os.PathLike[str]) -> Generator[BinaryIO, None, None]:
             if error.errno in NO_ROOM
             else "Choose a folder that exists and is yours"
         )
-        raise InputError(f"cannot write {path}: {reason}. {cure}.", path=path) from None
+        raise InputError(f"cannot write {given}: {reason}. {cure}.", path=given) from None
     finally:
         if name is not None:
             Path(name).unlink(missing_ok=True)
@@ -56,7 +66,7 @@ def write_whole(path: str | os.PathLike[str], content: bytes | str) -> Path:
     """Write a file whole or not at all.
 
     Raises:
-        InputError: The folder does not exist or cannot be written; the message names it.
+        InputError: This is no path, or is a folder, or its folder does not exist or cannot be written.
     """
     with whole_file(path) as file:
         file.write(content.encode() if isinstance(content, str) else content)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pieper import arguments
 from pieper.document import identity
 from pieper.document.blocks import Picture
 from pieper.document.writing import write_whole
@@ -145,7 +146,7 @@ def save_figure(figure: Figure, path: str | os.PathLike[str]) -> Path:
     Raises:
         InputError: An unknown suffix, or a place that cannot be written.
     """
-    path = Path(path)
+    path = arguments.file(path)
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise InputError(

@@ -21,6 +21,8 @@ def from_degrees(node: Expr) -> Expr:
     """
     if isinstance(node, (Add, Neg, PlusMinus)):
         return with_args(node, [from_degrees(a) for a in node.args])
+    if (turned := _turned_by_hand(node)) is not None:
+        return turned
     made = _degrees(node)
     return made.args[0] if _of_degrees(made) else Mul.of(made, DEGREE)
 
@@ -34,7 +36,40 @@ def _of_degrees(node: Expr) -> bool:
     return isinstance(node, Div) and str(node.args[1]) == str(DEGREE)
 
 
+def _turned_by_hand(node: Expr) -> Expr | None:
+    """What a page turns into degrees itself, np.degrees(pi - x) or (pi - x) 180/pi; None where it does not.
+
+    Inside, everything is radians. Of one inverse function alone, atan2d(..) or np.degrees(np.arctan2(..)), that is not
+    said: its sines may be of degrees.
+    """
+    if _of_degrees(node):
+        return None if isinstance(node.args[0], Call) else node.args[0]
+    if not isinstance(node, (Mul, Div)):
+        return None
+    over, under = _factors(node)
+    half = next((f for f in over if str(f) == "180"), None)
+    turn = next((f for f in under if str(f) == str(PiFraction(1))), None)
+    if half is None or turn is None:
+        return None
+    over, under = [f for f in over if f is not half], [f for f in under if f is not turn]
+    top = Mul.of(*over) if over else number(1)
+    return Div(top, Mul.of(*under)) if under else top
+
+
+def _factors(node: Expr) -> tuple[list[Expr], list[Expr]]:
+    """What stands above and below the line of a product."""
+    if isinstance(node, Mul):
+        parts = [_factors(a) for a in node.args]
+        return [f for over, _ in parts for f in over], [f for _, under in parts for f in under]
+    if isinstance(node, Div):
+        (over, under), (below, above) = _factors(node.args[0]), _factors(node.args[1])
+        return over + above, under + below
+    return [node], []
+
+
 def _degrees(node: Expr) -> Expr:
+    if (turned := _turned_by_hand(node)) is not None:
+        return Div(turned, DEGREE)
     if isinstance(node, Mention):
         return Div(node, DEGREE) if ANGLE.match(node.name) else node
     if _of_degrees(node) and isinstance(node.args[0], Call):

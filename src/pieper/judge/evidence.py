@@ -27,6 +27,7 @@ from pieper.judge.samples import Samples, joined, pose_of, pose_symbols, sample,
 from pieper.judge.search.search import Goal
 from pieper.judge.slips.arm_slips import arm_slips
 from pieper.judge.symbols import in_order, plain, refuse, refuse_another
+from pieper.kinematics.joints import short_way
 from pieper.tolerances import EVIDENCE_BACK, EVIDENCE_SAME, FLOOR_OF_SEARCH, SHOWN_ZERO
 
 MOST_ROWS = 4  # of a matrix of the file's own
@@ -380,7 +381,7 @@ def under(key: str) -> Iterator[None]:
 def wrapped(x: Any) -> Any:
     """Return angles in [-pi, pi)."""
     with np.errstate(invalid="ignore"):
-        return (x + np.pi) % (2 * np.pi) - np.pi
+        return short_way(x)
 
 
 def number(value: float) -> str:

@@ -66,6 +66,8 @@ def misprint(printed: Any, right: float) -> str:
     for factor, words in ((1000.0, "millimetres for metres"), (0.001, "metres for millimetres")):
         if right and abs(read_number(printed) - factor * right) <= 0.51 * step * max(1.0, factor / 1000):
             return f"a factor of 1,000: {words} ({right:.6g})"
+    if decimals == 0 and len(text.lstrip("-")) > 2 and _without_point(text, right):
+        return f"the decimal point lost ({_without_point(text, right)})"
     a, b = text.lstrip("-").replace("+", ""), correct.lstrip("-")
     if a == b or (text[:1] == "-") != (correct[:1] == "-"):
         return ""
@@ -88,6 +90,14 @@ def misprint(printed: Any, right: float) -> str:
     for k in range(len(a)):
         if a[:k] + a[k + 1 :] == less:
             return f"a digit too many ({f'{right:.{max(decimals - 1, 0)}f}'})"
+    return ""
+
+
+def _without_point(text: str, right: float) -> str:
+    """The right number with a whole number's digits, "" where no place of the point makes them its own."""
+    for decimals in range(1, len(text.lstrip("-")) + 1):
+        if f"{right:.{decimals}f}".replace(".", "").lstrip("-0") == text.lstrip("-0") != "":
+            return f"{right:.{decimals}f}" if (right < 0) == text.startswith("-") else ""
     return ""
 
 

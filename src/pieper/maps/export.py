@@ -10,6 +10,7 @@ from typing import Any, Protocol, cast
 
 import numpy as np
 
+from pieper import arguments
 from pieper.document.writing import whole_file
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, Bits, Indices
@@ -63,7 +64,7 @@ def export(m: Mapped, path: str | os.PathLike[str]) -> Path:
     Raises:
         InputError: An ending that is none of these, a place that cannot be written, pyarrow missing for parquet.
     """
-    target = Path(path)
+    target = arguments.file(path)
     writers = {".npz": _npz, ".parquet": _parquet, ".vtk": _vtk}
     if target.suffix not in writers:
         raise InputError(f"{target.name}: a map is written as {', '.join(writers)}.", given=target.suffix)

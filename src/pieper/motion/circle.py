@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
+from pieper.kinematics.joints import turned_from
 from pieper.kinematics.pose import rotation_about
 from pieper.motion.path import between
 from pieper.tolerances import NO_LENGTH, OFF_CENTRE, THREE_IN_LINE
@@ -36,8 +37,7 @@ class Round:
     def part(self, point: Array) -> float:
         """Return at which part of the arc a point (3,) lies."""
         out = point - self.centre
-        turned = np.arctan2(self.normal @ np.cross(self.spoke, out), self.spoke @ out) % (2 * np.pi)
-        return float(turned) / self.angle
+        return _round(self.normal, self.spoke, out) / self.angle
 
 
 def round_of(T0: Array, via: Array, T1: Array) -> Round:
@@ -59,8 +59,12 @@ def round_of(T0: Array, via: Array, T1: Array) -> Round:
     M = np.stack([b - a, c - a, normal])
     centre = np.linalg.solve(M, [(b - a) @ (a + b) / 2, (c - a) @ (a + c) / 2, normal @ a])
     spoke, last = a - centre, c - centre
-    angle = float(np.arctan2(normal @ np.cross(spoke, last), spoke @ last)) % (2 * np.pi)
-    return Round(np.asarray(centre, np.float64), normal, spoke, angle)
+    return Round(np.asarray(centre, np.float64), normal, spoke, _round(normal, spoke, last))
+
+
+def _round(normal: Array, spoke: Array, out: Array) -> float:
+    """Return the angle in [0, 2 pi) about a normal from a spoke (3,) to a place out (3,) from the centre, rad."""
+    return float(turned_from(0.0, np.arctan2(normal @ np.cross(spoke, out), spoke @ out)))
 
 
 def circle(T0: Array, via: Array, T1: Array, s: Array) -> Array:

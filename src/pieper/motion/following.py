@@ -21,17 +21,12 @@ from pieper.solver.words.labels import posture_words
 from pieper.tolerances import NEARER_BY, STRANDS_END, STRANDS_MEET, VERIFIED
 
 
-def _none(track: Track) -> tuple[Cure, ...]:
-    del track
-    return ()
-
-
 def followed(
     plan: Plan,
     path: PoseLike,
     *,
     start: ArrayLike | None = None,
-    seek: Callable[[Track], tuple[Cure, ...]] = _none,
+    seek: Callable[[Track], tuple[Cure, ...]] | None = None,
 ) -> Track:
     """Return the track of a path, see `pieper.motion.follow`.
 
@@ -39,7 +34,7 @@ def followed(
         plan: How the arm is solved.
         path: (N, 4, 4) poses, m.
         start: (n,) posture the arm is in, rad or m; zeros when left out.
-        seek: Finds what lets a track that stops pass, when it is asked for.
+        seek: Finds what lets a track that stops pass, when it is asked for; None where nobody looks.
 
     Raises:
         InputError: The path is not a stack of poses, or start is not a joint vector.

@@ -253,8 +253,8 @@ class Program:
         return self
 
     def take(self, targets: Sequence[Target]) -> Program:
-        """Append targets of `pieper.read_program`, with the tools, speeds, blends and events that their file says."""
-        take(self, targets)
+        """Append targets of `pieper.read_program`: tools, postures, speeds, blends and events as their file says."""
+        take(self, targets, lambda: self._q)
         return self
 
     @property

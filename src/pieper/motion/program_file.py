@@ -38,7 +38,11 @@ def save_program(program: Program, path: str | os.PathLike[str]) -> Path:
 
     Joint values and angles in degrees, lengths in mm, poses as x y z roll pitch yaw; speeds of move_j as a part of the
     limits, of the others in mm/s.
+
+    Raises:
+        InputError: Another ending than .toml, or a place that cannot be written.
     """
+    path = arguments.file_ending(path, (".toml", ""), "a program that pieper reads back")
     lines = [f"# pieper program of {program.plan.name}: degrees, millimetres, seconds", f'arm = "{program.plan.name}"']
     lines += [f"start = {_row(_joints_out(program, program.start))}", "", "[limits]"]
     scale = np.where(program.plan.prismatic, 1e3, 180 / np.pi)

@@ -88,7 +88,9 @@ def _joined(plan: Plan, ways: list[Segment], corners: list[Blend]) -> tuple[Join
         inner = own[(own > begins) & (own < ends)]
         # a point that nearly is an end is that end
         inner = inner[(inner - begins > 0.1 * own[1]) & (ends - inner > 0.1 * own[1])]
-        s = np.concatenate([[begins], inner, [ends]])
+        # of a way that both its corners cut at its half nothing is left but that point
+        left = ends - begins > 0.1 * own[1]
+        s = np.concatenate([[begins], inner, [ends]]) if left else np.array([begins])
         q = way.curve.at(s)[0]
         if k + 1 == len(ways):
             q[-1] = way.move.q

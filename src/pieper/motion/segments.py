@@ -23,6 +23,7 @@ from pieper.tolerances import PROGRAM_FOLLOWS_ON, PROGRAM_STANDS, STRAYS
 POINTS, MOST_POINTS = 33, 2049
 #: Points of a joint move, where it is joined with others.
 STRAIGHT_POINTS = 17
+_CURES = "What would let it pass was not looked for: following the same way by itself (arm.follow, pieper path) does."
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +64,7 @@ def segment(plan: Plan, number: int, q0: Array, T0: Array, move: Move) -> Segmen
         s = np.linspace(0.0, 1.0, points)
         track = followed(plan, _poses(T0, move, s), start=q0)
         if not track.complete:
-            raise NoSolutionError(f"move {number} cannot be followed. {track.explain()}", move=number)
+            raise NoSolutionError(f"move {number} cannot be followed. {track.explain()}\n{_CURES}", move=number)
         if np.abs(plan.chain.joints.difference(track.q[0], q0)).max() > PROGRAM_FOLLOWS_ON:
             raise NoSolutionError(
                 f"move {number} cannot begin: its line leaves the posture the arm is in at once.", move=number

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from pieper.description.dh import Description
 from pieper.errors import InputError
-from pieper.kinematics.arrays import ArrayLike
+from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import PoseLike
+from pieper.motion.chosen import check_arrived, meant
 from pieper.motion.dialects.target import Target
 from pieper.motion.instructions import Gripper, Happening, Output
 from pieper.motion.limits import Limits
@@ -22,6 +23,7 @@ class Taker(Protocol):
     plan: Plan
     description: Description
     limits: Limits
+    work: Array
 
     def move_j(self, target: ArrayLike | str, *, speed: float | None = None, blend: float = 0.0) -> object:
         """Move all joints."""
@@ -52,16 +54,17 @@ class Taker(Protocol):
         ...
 
 
-def take(program: Taker, targets: Sequence[Target]) -> None:
+def take(program: Taker, targets: Sequence[Target], now: Callable[[], Array]) -> None:
     """Append targets to a program: each with its tool, its speed and blend, and what happens before it.
 
     Args:
         program: Moves, waits, outputs and changes of the tool are added to it.
         targets: What `read_program` gave.
+        now: Returns the posture (n,) the arm is in after what was added.
 
     Raises:
-        InputError: A target without a place.
-        NoSolutionError: A line of it cannot be followed.
+        InputError: A target without a place, or with configuration words of another maker.
+        NoSolutionError: A line of it cannot be followed, or nothing has the words of a target.
     """
     own = program.description.tool
     tool = own
@@ -72,7 +75,7 @@ def take(program: Taker, targets: Sequence[Target]) -> None:
         if not target.means_tool(tool) and not (target.tool is None and tool is own):
             tool = own if target.tool is None else target.tool
             program.tool(tool)
-        _move(program, target, number)
+        _move(program, target, number, now)
         for item in target.after:
             _happen(program, item)
 
@@ -86,11 +89,13 @@ def _happen(program: Taker, item: Happening) -> None:
         program.wait(item.seconds)
 
 
-def _move(program: Taker, target: Target, number: int) -> None:
+def _move(program: Taker, target: Target, number: int, now: Callable[[], Array]) -> None:
     where, blend = target.T if target.q is None else target.q, target.blend or 0.0
     if where is None:
         raise InputError(f"target {number} of the file has no place.", given=number)
     if target.kind in ("move_j", "point") or (target.kind == "move_c" and target.T is None and target.q_via is None):
+        if target.q is None and (target.words is not None or target.near is not None):
+            where = meant(program.plan, program.description.manufacturer, program.work @ where, target, number, now())
         program.move_j(where, speed=_share(program, target), blend=blend)
         return
     chain = program.plan.chain
@@ -98,9 +103,10 @@ def _move(program: Taker, target: Target, number: int) -> None:
     speed = target.speed or None
     if target.kind == "move_l":
         program.move_l(T, speed=speed, blend=blend)
-        return
-    via = fk(chain, target.q_via) if target.via is None and target.q_via is not None else target.via
-    program.move_c(via, T, speed=speed, blend=blend)
+    else:
+        via = fk(chain, target.q_via) if target.via is None and target.q_via is not None else target.via
+        program.move_c(via, T, speed=speed, blend=blend)
+    check_arrived(program.plan, program.description.manufacturer, target, number, now())
 
 
 def _share(program: Taker, target: Target) -> float | None:

@@ -87,11 +87,6 @@ class Cure:
     track: Track = field(repr=False)
 
 
-def _none(track: Track) -> tuple[Cure, ...]:
-    del track
-    return ()
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class Track(Tabular):
     """What following a path gave.
@@ -113,7 +108,7 @@ class Track(Tabular):
         prismatic: (n,) bool.
         plan: How the arm is solved.
         off_line: How far the tool leaves the line while the joints move straight from point to point.
-        seek: Finds what lets a track that stops pass.
+        seek: Finds what lets a track that stops pass; None where nobody looks.
     """
 
     path: Array
@@ -131,12 +126,12 @@ class Track(Tabular):
     prismatic: Bools
     plan: Plan = field(repr=False)
     off_line: OffLine = OffLine(0.0, 0.0, 0)
-    seek: Callable[[Track], tuple[Cure, ...]] = field(default=_none, repr=False)
+    seek: Callable[[Track], tuple[Cure, ...]] | None = field(default=None, repr=False)
 
     @cached_property
     def cures(self) -> tuple[Cure, ...]:
         """What lets the path pass where the track stops, each followed to its end; worked out when first asked for."""
-        return self.seek(self)
+        return () if self.seek is None else self.seek(self)
 
     @property
     def points(self) -> int:
@@ -188,7 +183,7 @@ class Track(Tabular):
             text.append(f"Started elsewhere it would have passed: {names}.")
         elif not self.complete and self.branches:
             text.append("No other branch of the first pose reaches the end either.")
-        if cures and not self.complete and self.seek is not _none:
+        if cures and not self.complete and self.seek is not None:
             text += [f"Cure: {cure.words}" for cure in self.cures] or [NO_CURE]
         off = self.off_line
         if off.metres > WORTH_SAYING:

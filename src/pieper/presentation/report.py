@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper import arguments
 from pieper.document.blocks import Document, listed
 from pieper.document.html import page as html_page
 from pieper.document.latex import source as latex_source
@@ -129,8 +130,11 @@ def write_report(
         The files that were written, the page first.
 
     Raises:
-        InputError: A place that cannot be written.
+        InputError: Another ending than .html, .tex and .md, or a place that cannot be written.
     """
+    out = arguments.file_ending(out, (".html", ".htm"), "a report's page")
+    latex = None if latex is None else arguments.file_ending(latex, (".tex",), "a report's LaTeX source")
+    markdown = None if markdown is None else arguments.file_ending(markdown, (".md", ".markdown"), "its Markdown")
     page = report(arm, pose=pose, track=track, comparison=comparison, reach_map=reach_map, fit=fit, letters=letters)
     written = [write_whole(out, html_page(page))]
     for path, source in ((latex, latex_source), (markdown, markdown_source)):

@@ -10,6 +10,7 @@ from pieper.kinematics.pose import checked_pose
 from pieper.solver.kernel_rows import Solved, kernel_rows, without_repeats
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import Reduction
+from pieper.solver.refilled import all_by_count
 from pieper.solver.rows import Flag, Rows
 from pieper.solver.snap_count import counted
 from pieper.tolerances import CLOSES
@@ -37,8 +38,9 @@ def arm_rows(plan: Plan, T: Array, values: Array, threads: int) -> Rows:
         valid = without_repeats(reduction.full, q, valid)
     if q.shape[1] > plan.max_solutions:
         q, valid = _packed(q, valid, plan.max_solutions)
+    flags = found.flags if reduction.locked or not reduction.fill else all_by_count(plan, q, valid, found.flags)
     q, inside = plan.chain.joints.inside_limits(np.where(valid[..., None], q, 0.0), plan.limits)
-    return Rows(q, valid, inside & valid, found.flags)
+    return Rows(q, valid, inside & valid, flags)
 
 
 def full_rows(plan: Plan, T: Array, values: Array, threads: int) -> Solved:

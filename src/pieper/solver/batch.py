@@ -30,7 +30,7 @@ class PoseSolutions:
     """What a batch says of one of its poses: a sequence of the rows inside the limits. Its arrays are copies.
 
     Attributes:
-        pose: The pose's place in the batch it was taken from.
+        pose: The pose's index in the batch it was taken from.
         plan: How the arm was solved.
         all_q: (k, n) solutions before limits are applied, rad or m.
         slots: (k,) the branch of the plan each row of all_q belongs to.
@@ -82,7 +82,7 @@ class PoseSolutions:
 
     def __repr__(self) -> str:
         count = f"{len(self)} inside the limits of {len(self.all_q)}"
-        return f"<PoseSolutions of pose {self.pose}: {count}, {self.status.name}>"
+        return f"<PoseSolutions at index {self.pose}: {count}, {self.status.name}>"
 
 
 @dataclass(frozen=True, eq=False, repr=False, slots=True)
@@ -149,8 +149,8 @@ class SolutionBatch(Tabular):
         except TypeError:
             raise _no_index(at) from None
         if not -len(self) <= given < len(self):
-            count = f"they count from 0 to {len(self) - 1}" if len(self) else "there is none"
-            raise IndexError(f"pose {given} of {plural(len(self), 'pose')}; {count}.")
+            count = f"indices go from 0 to {len(self) - 1}" if len(self) else "there is none"
+            raise IndexError(f"index {given} of {plural(len(self), 'pose')}; {count}.")
         k = given % len(self)
         all_q, slots, inside, flag = self.found.of(k)
         chosen = None if self.chosen is None or not self.chosen.found[k] else self.chosen.q[k].copy()
@@ -170,7 +170,9 @@ class SolutionBatch(Tabular):
         if at.dtype.kind not in "iu":
             raise _no_index(at)
         if at.min() < -len(self) or at.max() >= len(self):
-            raise IndexError(f"poses {at.min()} to {at.max()} of {plural(len(self), 'pose')}.")
+            raise IndexError(
+                f"indices {at.min()} to {at.max()} of {plural(len(self), 'pose')}; they go from 0 to {len(self) - 1}."
+            )
         return np.asarray(at % len(self), np.int64)
 
     def part(self, at: slice | Indices) -> SolutionBatch:
@@ -185,7 +187,7 @@ class SolutionBatch(Tabular):
         return self.valid.sum(1)
 
     def rows(self) -> tuple[Indices, Array]:
-        """Return the valid rows one after the other: the pose each belongs to (M,), and the rows (M, n), rad or m."""
+        """Return the valid rows one after the other: the index of each one's pose (M,), the rows (M, n), rad or m."""
         return np.nonzero(self.valid)[0], self.q[self.valid]
 
     @property
@@ -218,7 +220,10 @@ class SolutionBatch(Tabular):
         }
 
     def columns(self, *, degrees: bool = False, mm: bool = False) -> dict[str, Column]:
-        """Return the valid rows as columns, poses counted from 0; a pose without one has a row of its own, NaN."""
+        """Return the valid rows as columns; a pose without one has a row of its own, NaN.
+
+        As in every table, the columns `pose` and `solution` count from 1; `rows` gives the indices.
+        """
         words = [Status(int(code)).name for code in self.status]
         return batch_columns(self.plan, self.q, self.valid, self.in_limits, words, Units(degrees, mm))
 

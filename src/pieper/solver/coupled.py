@@ -10,7 +10,8 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status, Words
 from pieper.solver.rows import Rows
 from pieper.solver.singular.examined import Examined
-from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
+from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.traced_motion import TracedMotion
 
 
 def solutions_of(plan: Plan, words: Words, found: Solutions) -> Solutions:

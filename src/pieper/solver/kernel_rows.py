@@ -11,6 +11,7 @@ from pieper.kinematics.arrays import Array, Bits, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton
 from pieper.solver.plan.plan import Plan
+from pieper.solver.refilled import refilled_rows
 from pieper.tolerances import BESIDE_UNSOLVED, CLOSES, FILLED_STARTS, PULLED_RANK, SAME_ROW
 
 
@@ -45,6 +46,8 @@ def kernel_rows(plan: Plan, T: Array, values: Array, threads: int) -> Solved:
     full[..., reduction.kept] = q6 if not reduction.fill else q6[..., reduction.real]
     if reduction.locked:
         full[..., list(reduction.locked)] = values[:, None, :]
+    elif reduction.fill:
+        return Solved(*refilled_rows(plan, T, full, valid, flags))
     return Solved(full, valid, flags)
 
 

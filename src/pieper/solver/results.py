@@ -138,7 +138,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
             q = self.q[operator.index(index)]
         except IndexError:
             raise IndexError(
-                f"solution {index} of {plural(len(self), 'solution')} inside the limits; they count from 0."
+                f"index {index} of {plural(len(self), 'solution')} inside the limits; indices begin at 0."
             ) from None
         return Solution(q, self._words.labels(self._plan, q[None])[0], self._plan.residual(q[None], self.T)[0])
 

@@ -61,7 +61,10 @@ def solution_columns(
 def batch_columns(
     plan: Plan, q: Array, valid: Bools, inside: Bools, status: Sequence[str], units: Units
 ) -> dict[str, Column]:
-    """Return the rows of a batch (N, slots, n) as columns; a pose without a solution keeps a row, its joints NaN."""
+    """Return the rows of a batch (N, slots, n) as columns, poses and solutions counted from 1.
+
+    A pose without a solution keeps a row: solution 0, its joints NaN.
+    """
     shown = valid.copy()
     shown[~valid.any(1), 0] = True
     pose, slot = np.nonzero(shown)
@@ -69,7 +72,7 @@ def batch_columns(
     number = np.where(valid[pose, slot], np.arange(len(pose)) - first[pose] + 1, 0)
     rows = np.where(valid[pose, slot][:, None], q[pose, slot], np.nan)
     return {
-        "pose": pose,
+        "pose": pose + 1,
         "solution": number,
         "status": np.array(status, dtype=str)[pose],
         **units.joints(plan.names, plan.prismatic, rows),

@@ -65,6 +65,9 @@ PROGRAM_FOLLOWS_ON = 1e-6
 #: A tool or place read from a controller's file is one known when nothing departs by more (m; rad): files say 1e-3 mm
 #: and 1e-3 degrees.
 SAME_TOOL_IN_FILE = 2e-5
+#: How far a joint may be from where a configuration word changes and have either word (rad): poses of files are
+#: rounded, and a joint at just a quarter of a turn is a rounding error this side of it or that.
+EITHER_WORD = 1e-4
 #: A move to a pose that the tool misses by less (m; rad) is none.
 PROGRAM_STANDS = 1e-9
 #: Poses nearer than this (m, and rad) are one.

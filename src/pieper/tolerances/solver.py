@@ -14,6 +14,9 @@ LINKAGE_STARTS = 1e-4
 FILLED_STARTS = 1e-4
 #: One below this may have been meant to be zero: double roots are known to half the digits, fourfold ones to a quarter.
 NEARLY_ZERO = 1e-3
+#: Two postures merge beyond a miss of their squared relative singular value over a few: below this part of it a posture
+#: that misses has no solution near it.
+PLAIN_MISS = 5e-2
 #: Points that differ in a task's virtual joints alone are one within this (rad; per length): curves end there.
 SAME_AFTER_CUT = 1e-6
 
@@ -120,6 +123,10 @@ ON_POLYLINE = 5e-3
 #: Turns that move less than this along a free direction (rad) stand still: a self-motion of slides alone is a straight
 #: line. At points of it that are far away the direction itself is no more exact.
 LINE_OF_SLIDES = 1e-6
+#: Of a line of slides without limits so much is shown to either side of where their ways are shortest (lengths),
+SLIDES_SHOWN = 3.0
+#: and two slides move alike whose ways differ by rounding alone.
+SLIDES_ALIKE = 1e-9
 #: A curve that does not close is a self-motion without ends where a slide moves farther along it than this (per
 #: length); shorter ones come near the pose where it is nearly singular.
 NO_END = 1.0

@@ -98,12 +98,14 @@ class Built:
         done: Every step in the order it is done, with its place in the list counted from 0; what is called again is
             there again, and what asks for where the arm is already is not.
         idle: Places of steps that ask for where the arm is already.
+        left: The step that cannot be done and all that would follow, as `done`.
     """
 
     program: pieper.Program
     failed: dict[str, Any] | None
     done: tuple[tuple[int, dict[str, Any]], ...]
     idle: tuple[int, ...]
+    left: tuple[tuple[int, dict[str, Any]], ...]
 
 
 def build(arm: pieper.Arm, message: dict[str, Any]) -> Built:
@@ -116,17 +118,19 @@ def build(arm: pieper.Arm, message: dict[str, Any]) -> Built:
     done: list[tuple[int, dict[str, Any]]] = []
     idle: dict[int, None] = {}
     failed = None
-    for k, step in expanded(steps):
+    ordered = expanded(steps)
+    tried = len(ordered)
+    for place, (k, step) in enumerate(ordered):
         if _is_there(arm, program, step, f"step {k + 1}"):
             idle[k] = None
             continue
         try:
             add_step(program, step, arm.n, f"step {k + 1}")
         except (pieper.NoSolutionError, pieper.InputError) as error:
-            failed = {"step": k, "text": str(error)}
+            failed, tried = {"step": k, "text": str(error)}, place
             break
         done.append((k, step))
-    return Built(program, failed, tuple(done), tuple(idle))
+    return Built(program, failed, tuple(done), tuple(idle), tuple(ordered[tried:]))
 
 
 def expanded(steps: list[Any]) -> list[tuple[int, dict[str, Any]]]:

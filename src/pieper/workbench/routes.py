@@ -131,9 +131,7 @@ def posture(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
         return {"q": None, "label": None, "why": solutions.why}
     wanted = optional(word, message.get("branch"), "branch")
     rows = solutions.windings()
-    gap = np.abs(rows[:, None] - solutions.q[None])
-    turning = np.array([kind == "R" for kind in arm.joint_types])
-    gap = np.where(turning, np.abs((gap + np.pi) % (2 * np.pi) - np.pi), gap).max(2)
+    gap = arm.chain.joints.apart(rows[:, None], solutions.q[None])
     labels = np.array(solutions.labels)[gap.argmin(1)]
     mine = np.flatnonzero(labels == wanted) if wanted in labels else np.arange(len(rows))
     best = mine[int(np.argmin(np.linalg.norm(rows[mine] - near, axis=1)))]

@@ -1,4 +1,4 @@
-"""What is on the screen as a Python script: arm, posture, target and solutions, path, program."""
+"""What is on the screen as a Python script: arm, posture, target and solutions, path, world, program."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 import pieper
 from pieper.workbench.answers import TASKS
+from pieper.workbench.around import scene_of
 from pieper.workbench.messages import MAX_POINTS, number, optional, pose, vector, vectors, whole, word
 from pieper.workbench.programs import KINDS, MAX_THROUGH, build
 from pieper.workbench.table import is_of_catalog
@@ -33,7 +34,9 @@ def python(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
         n = whole(path.get("n"), "N", 1, MAX_POINTS)
         lines += ["", f"start = {_array(pose(path['from'], 'from'))}", f"end = {_array(pose(path['to'], 'to'))}"]
         lines += [f"track = arm.follow(pieper.line(start, end, n={n}), start=q)", "print(track.explain())"]
-    lines += program_lines(arm, message.get("program"))
+    scene = scene_lines(message.get("world"))
+    lines += scene
+    lines += program_lines(arm, message.get("program"), bool(scene))
     return {"text": "\n".join(lines) + "\n"}
 
 
@@ -55,19 +58,54 @@ def arm_lines(arm: pieper.Arm) -> list[str]:
     return [*lines, ")"]
 
 
-def program_lines(arm: pieper.Arm, program: object) -> list[str]:
-    """Return the lines of the page's program; none where it has no steps."""
+def scene_lines(world: object) -> list[str]:
+    """Return the lines that make the obstacles of the page's world and ask how far the arm is from them, if any."""
+    bodies = list(scene_of(world if world is not None else []))
+    if not bodies:
+        return []
+    return [
+        "",
+        "scene = pieper.Scene([",
+        *(f"    {_body(body)}," for body in bodies),
+        "])",
+        "print(arm.distance(q, scene))",
+    ]
+
+
+def _body(body: Any) -> str:
+    if isinstance(body, pieper.Box):
+        return f"pieper.Box({_array(body.T)}, {_array(np.asarray(body.size))}, {body.name!r})"
+    return f"pieper.Cylinder({_array(body.T)}, {body.r!r}, {body.h!r}, {body.name!r})"
+
+
+def program_lines(arm: pieper.Arm, program: object, around: bool) -> list[str]:
+    """Return the lines of the page's program; none where it has no steps.
+
+    Steps that cannot be done, and those behind them, stand there as comments.
+
+    Args:
+        arm: The arm.
+        program: As the page sends it.
+        around: Whether there is a scene that the motion is to keep clear of.
+    """
     if not isinstance(program, dict) or not program.get("steps"):
         return []
-    n, done = arm.n, build(arm, program).done
+    n, built = arm.n, build(arm, program)
     kept = {k: v for k, v in program["limits"].items() if v is not None and k in _LIMITS}
     said = ", ".join(f"{k}={number(v, k)!r}" if not isinstance(v, list) else f"{k}={v!r}" for k, v in kept.items())
     start = vector(program.get("start"), n, "start")
     lines = ["", f"limits = pieper.Limits({said})", f"program = pieper.Program(arm, limits, start={_array(start)})"]
-    for k, step in done:
-        at = f"step {k + 1}"
-        lines.append(f"program.{_step(word(step.get('kind'), f'{at}, kind', KINDS), step, n, at)}")
-    return [*lines, "motion = program.motion()", "print(program.explain())"]
+    lines += [_called(step, n, k) for k, step in built.done]
+    if built.failed is not None:
+        lines.append(f"# step {built.failed['step'] + 1} cannot be done: " + " ".join(built.failed["text"].split()))
+        lines += [f"# {_called(step, n, k)}" for k, step in built.left]
+    lines += ["motion = program.motion()", "print(program.explain())"]
+    return [*lines, "print(arm.clear(motion, scene).explain())"] if around else lines
+
+
+def _called(step: dict[str, Any], n: int, k: int) -> str:
+    at = f"step {k + 1}"
+    return f"program.{_step(word(step.get('kind'), f'{at}, kind', KINDS), step, n, at)}"
 
 
 _LIMITS = ("speed", "acceleration", "jerk", "tool_speed", "tool_acceleration", "turn_speed")

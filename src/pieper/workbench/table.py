@@ -88,7 +88,8 @@ def table_from_arm(arm: pieper.Arm, catalog: str | None = None) -> dict[str, Any
     """Return the page's table of an arm; one that is the catalogue's says so, by the name it has there."""
     d = arm.description
     d.not_linked(
-        "the page shows arms of which every axis has a joint", "Show arm.uncoupled(), whose joints are the axes."
+        "the page shows arms of which every axis has a joint",
+        "In Python, pieper.workbench(arm.uncoupled()) shows it by its axes.",
     )
     return {
         "name": d.name,

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from oracle.joints import around
+
 from .arms import PlantedArm
 from .formula import evaluate, names_at, paper, parse
 from .slips import planted
@@ -156,7 +158,7 @@ def _within(some: list[float], others: list[float], kind: str) -> bool:
             continue
         gaps = np.array([x - y for y in others if not np.isnan(y)])
         if kind == "joint":
-            gaps = (gaps + np.pi) % (2 * np.pi) - np.pi
+            gaps = around(gaps)
         if gaps.size == 0 or np.abs(gaps).min() > 1e-6:
             return False
     return True

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pieper
-from benchmarks.measure.route_verdicts import at, drawn
+from benchmarks.measure.route_verdicts import at, drawn, missed
 from oracle.turns import flooded, ring
 from pieper.motion.route.front import modulo_turns
 from pieper.motion.route.proof import anywhere
@@ -58,3 +58,24 @@ def test_what_closes_far_from_where_a_front_ends_is_proved(name, number):
     back = begun > last
     assert ("followed backwards" in route.reason) == back
     assert not past(arm, path, begun, first if back else last)
+
+
+@pytest.mark.parametrize(
+    "degrees, verdict", [(0.2, "FOUND"), (0.01, "FOUND"), (-0.1, "IMPOSSIBLE"), (-0.2, "IMPOSSIBLE")]
+)
+def test_a_box_about_a_route_that_swings_lets_it_through_and_one_that_is_smaller_does_not(degrees, verdict):
+    # joint 1 swings by 63 degrees from one point to the next, within a twentieth of a degree of the turn
+    arm, path = drawn("kuka-kr6-r900-sixx", 1)
+    q = arm.route(path, free=FREE).q
+    assert np.abs(np.diff(q, axis=0)).max() > 1.0
+    room = np.radians(degrees)
+    both = np.clip(np.stack([q.min(0) - room, q.max(0) + room], -1), *arm.limits.T[:, :, None])
+    tight = arm.with_limits(dict(zip(arm.joint_names, both.tolist(), strict=True)))
+    route = tight.route(path, free=FREE)
+    assert route.verdict.name == verdict
+    if verdict == "FOUND":
+        assert missed(tight, route) == ""
+        assert abs(route.cost - arm.route(path, free=FREE).cost) < 1e-3
+    else:
+        begun, (first, last) = route.blocked.begun, route.blocked.s
+        assert not past(tight, path, begun, first if begun > last else last)

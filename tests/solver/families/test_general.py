@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
+from oracle.joints import around, difference
 from pieper.errors import PlanError
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
@@ -67,13 +68,8 @@ def draw(chain: Chain, rng: np.random.Generator, count: int) -> np.ndarray:
     return rng.uniform(-1, 1, (count, 6)) * np.where(chain.prismatic, chain.length, np.pi)
 
 
-def distance(chain: Chain, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    d = np.abs(a - b)
-    return np.where(chain.prismatic, d, np.abs((d + np.pi) % (2 * np.pi) - np.pi)).max(-1)
-
-
 def nearest(chain: Chain, q: np.ndarray, valid: np.ndarray, made: np.ndarray) -> np.ndarray:
-    return np.where(valid, distance(chain, q, made[:, None]), np.inf).min(-1)
+    return np.where(valid, difference(chain, q, made[:, None]), np.inf).min(-1)
 
 
 def worst_closure(chain: Chain, q: np.ndarray, valid: np.ndarray, T: np.ndarray) -> float:
@@ -135,7 +131,7 @@ def test_sets_of_two_hidden_joints_and_of_the_reversed_chain_are_the_same():
     assert (valid.sum(1) == seen.sum(1)).all()
     for i in range(len(T)):
         ours, theirs = q[i][valid[i]], p[i][seen[i]][:, ::-1]
-        assert distance(chain, ours[:, None], theirs[None]).min(1).max() < 1e-6
+        assert difference(chain, ours[:, None], theirs[None]).min(1).max() < 1e-6
 
 
 def test_scale_base_tool_and_slid_frames_change_nothing():
@@ -191,7 +187,7 @@ def test_both_of_two_close_solutions_survive_next_to_a_singular_posture():
                 lo, hi = (middle, hi) if np.sign(det(chain, middle)) == signs[i] else (lo, middle)
             for size in 10.0 ** rng.uniform(-8, -2, 10):
                 made.append(lo + size * rng.normal(size=6) / 2.5)
-    made = (np.array(made) + np.pi) % (2 * np.pi) - np.pi
+    made = around(np.array(made))
     assert len(made) > 100
     q, valid, _, _ = solver.many(fk(chain, made), 1)
     assert nearest(chain, q, valid, made).max() < 1e-6

@@ -9,7 +9,7 @@ import pytest
 
 import pieper
 from oracle.arms.chains import sliding_arm
-from oracle.joints import difference, random_joints
+from oracle.joints import around, difference, random_joints
 from oracle.native import missed, newton_solutions, solver_of
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
@@ -107,7 +107,7 @@ def test_lengths_over_six_decades_are_no_trouble():
         solver = solver_of(two_slides, stretched)
         q, valid, _, _ = solver.many(fk(stretched, Q), 1)
         gap = q - Q[:, None]
-        gap = np.where(stretched.prismatic, gap / stretched.length, (gap + np.pi) % (2 * np.pi) - np.pi)
+        gap = np.where(stretched.prismatic, gap / stretched.length, around(gap))
         assert ((np.abs(gap).max(-1) < 1e-6) & valid).any(1).all()
 
 

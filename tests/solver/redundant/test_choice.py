@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.joints import turns_apart
 from pieper import DH, Arm, InputError, Status
 
 ARMS = ["franka-panda", "kuka-lbr-iiwa-14-r820", "rethink-sawyer"]
@@ -23,7 +24,7 @@ def test_any_joint_can_be_held_and_the_posture_is_found_again(name):
         except InputError as refused:
             assert "pose alone decides" in str(refused) and joint == 3 and "iiwa" in name
             continue
-        gap = np.abs((many.q - q[:, None] + np.pi) % (2 * np.pi) - np.pi).max(-1)
+        gap = turns_apart(many.q, q[:, None]).max(-1)
         assert (np.where(many.valid, gap, 9.0).min(1) < 1e-6).all()
         held = np.abs((many.q[..., joint] - q[:, None, joint])[many.valid])
         assert held.max() < 1e-9

@@ -13,6 +13,7 @@ from pieper.description.coupling import chain_values
 from pieper.equations.arm import Arm
 from pieper.equations.derivation.closed_form import ClosedForm
 from pieper.equations.derivation.witness import branch_values
+from pieper.equations.vanishing import pose_gap
 from pieper.errors import PieperError
 from pieper.kinematics.arrays import Array
 from pieper.tolerances import (
@@ -97,8 +98,7 @@ def check(form: ClosedForm, arm: Arm, n: int, rng: np.random.Generator) -> Deriv
                 worst = max(worst, float(gap.min()))
         real += len(branches)
         if len(branches):
-            miss = np.abs(_asked(arm.fk(branches), form) - _asked(T[k], form)).max(axis=1)
-            valid += int(np.sum(miss < DERIVED_SAME * max(1.0, float(np.abs(T[k]).max()))))
+            valid += int(np.sum(pose_gap(arm.fk(branches), T[k], form.given) < DERIVED_SAME))
         told += [(T[k], np.array(mine))] if len(mine) else []
     formulas = _by_formula(form, told)
     return DerivationCheck(n, total, reproduced, worst, real, valid, _digits(form, arm, rng), formulas)
@@ -113,8 +113,7 @@ def _solutions(arm: Arm, T: Array, q: Array, form: ClosedForm) -> list[np.ndarra
     except PieperError:
         return found
     turning = np.array([kind == "R" for kind in arm.description.joint_types])
-    close = np.abs(_asked(arm.fk(rows), form) - _asked(T, form)).reshape(len(rows), -1).max(axis=1, initial=0.0)
-    for row in rows[close < DERIVED_SAME * max(1.0, float(np.abs(T).max()))]:
+    for row in rows[pose_gap(arm.fk(rows), T, form.given) < DERIVED_SAME]:
         if _gap(_axes(np.array(found), form), _axes(row, form), turning).min() > MERGED_BRANCHES:
             found.append(np.asarray(row))
     return found
@@ -136,19 +135,12 @@ def _same(branch: np.ndarray, gap: float, T: Array, arm: Arm, form: ClosedForm) 
     """Whether a branch is a solution: the same joints, or joints near them that take the pose to its last digits."""
     if gap < DERIVED_SAME:
         return True
-    miss = float(np.abs(_asked(arm.fk(branch), form) - _asked(T, form)).max())
-    return gap < DERIVED_NEAR and miss < DERIVED_AT_POSE * max(1.0, float(np.abs(T).max()))
+    return gap < DERIVED_NEAR and float(pose_gap(arm.fk(branch), T, form.given)) < DERIVED_AT_POSE
 
 
 def _axes(q: np.ndarray, form: ClosedForm) -> np.ndarray:
     """Values of the axes, in which whole turns count for nothing, at joint vectors (..., n)."""
     return chain_values(q, form.description.coupling)
-
-
-def _asked(T: np.ndarray, form: ClosedForm) -> np.ndarray:
-    """What the task fixes of poses (..., 4, 4), flattened."""
-    columns = ["noap".index(c) for c in form.given]
-    return T[..., :3, columns].reshape(*T.shape[:-2], -1)
 
 
 def _by_formula(form: ClosedForm, told: list[tuple[Array, np.ndarray]]) -> dict:

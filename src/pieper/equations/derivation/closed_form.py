@@ -16,13 +16,14 @@ from pieper.algebra.expression import Expr, Num, Sym, Trig, add, angle_symbol, m
 from pieper.description.coupling import joint_values
 from pieper.description.dh import Description
 from pieper.description.fold import chain_of
-from pieper.equations.derivation.degenerate import ELSEWHERE, FREE, MIXED, Array, Case, visit
+from pieper.equations.derivation.degenerate import ELSEWHERE, FREE, MIXED, Array, Case, usual_size, visit
 from pieper.equations.derivation.elimination import Eliminator, Move
 from pieper.equations.derivation.step import Step, step_of, steps_of
 from pieper.equations.derivation.telling import Condition, telling
 from pieper.equations.derivation.witness import branch_values
 from pieper.equations.table import SymbolTable
 from pieper.equations.target import pretty_names
+from pieper.equations.vanishing import pose_gap
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.tolerances import (
@@ -87,6 +88,7 @@ class ClosedForm:
         self.given = eliminator.target.given
         self._eliminator = eliminator
         self._cases: dict[int, Case] = {}
+        self._sizes: dict[int, Array] = {}
         self.conditions: tuple[Condition, ...] = ()
         self.conditions = self._side_conditions()
 
@@ -146,16 +148,16 @@ class ClosedForm:
             found = np.where((miss < SIDE_CONDITION * (1 + np.abs(T[:, :3]).max()))[..., None], found, np.nan)
         ways = {number: np.broadcast_to(way, shape) for number, way in ways.items()}
         if checked and ways:
-            lost = np.any([way != REGULAR for way in ways.values()], axis=0) & ~(
-                self.missed(found, T) < LED_BACK * size
-            )
+            lost = np.any([way != REGULAR for way in ways.values()], axis=0) & ~(self.missed(found, T) < LED_BACK)
             found = np.where(lost[..., None], np.nan, found)
         return Branches(found, values, ways)
 
     def missed(self, q: Array, T: Array) -> Array:
-        """By how much joint vectors (branches, N, n) miss what is given of poses (N, 4, 4); NaN where they are."""
-        columns = ["noap".index(c) for c in self.given]
-        miss = np.abs(self.poses(np.nan_to_num(q)) - T)[..., :3, columns].max(axis=(2, 3))
+        """By how much joint vectors (branches, N, n) miss what is given of poses (N, 4, 4); NaN where they are.
+
+        Of the position it is the part of its size, where that is more than one.
+        """
+        miss = pose_gap(self.poses(np.nan_to_num(q)), T, self.given)
         return np.where(np.isfinite(q).all(axis=2), miss, np.nan)
 
     def _side_conditions(self) -> tuple:
@@ -221,11 +223,10 @@ class ClosedForm:
         q[1::3, held] += rng.uniform(-1, 1, (len(case.postures), len(held)))
         found = self.solved(T, q, checked=False)
         miss, here = self.missed(found.q, T), found.ways[step.number] != REGULAR
-        size = max(1.0, float(np.abs(T[:, :3]).max(initial=0.0)))
-        wrong = here & (miss > CASE_SAME * size)
+        wrong = here & (miss > CASE_SAME)
         if not wrong.any():
             return None
-        right = here & (miss < LED_BACK * size)
+        right = here & (miss < LED_BACK)
         return telling(self._eliminator, self.renamed, found.values, right, wrong, LED_BACK / BRANCH_SAME_ANGLE)
 
     def instead(self, step: Step) -> tuple[Step, ...]:
@@ -359,7 +360,8 @@ class ClosedForm:
 
     def _where_degenerate(self, step: Step, value: Any, values: dict, chosen: Array) -> tuple[Array, np.ndarray]:
         """The value of a step, where it degenerates that of the step which decides instead, or the chosen one."""
-        sizes = [np.abs(c.evaluate(values, NumpyField)) for c in step.degenerate]
+        usual = self._usual(step.number)
+        sizes = [np.abs(c.evaluate(values, NumpyField)) / u for c, u in zip(step.degenerate, usual, strict=True)]
         gone = np.max(np.broadcast_arrays(*sizes), axis=0) < DEGENERATE_NOISE
         if not gone.any():
             return value, gone.astype(int)
@@ -380,6 +382,12 @@ class ClosedForm:
         group = self.table.variable(step.angle[0][0])
         free = here[group] if len(step.angle) == 1 else sum(k * here[angle_symbol(j)] for j, k in step.angle)
         return np.where(gone, free, value), gone * CHOSEN
+
+    def _usual(self, number: int) -> Array:
+        """The size of a step's coefficients at random postures (m,), in which lengths of any unit count alike."""
+        if number not in self._sizes:
+            self._sizes[number] = usual_size(self, self.steps[number - 1])
+        return self._sizes[number]
 
     def _joint(self, values: dict, joint: int, field: Any) -> Any:
         """The value of an axis from its table variable: theta = sign value + constant."""

@@ -25,7 +25,8 @@ from pieper.equations.derivation.splits import Equation
 from pieper.equations.derivation.step import Step
 from pieper.equations.derivation.witness import branch_values, single_joint
 from pieper.equations.table import SymbolTable
-from pieper.equations.vanishing import NEWTON, random_postures, vanishing_near
+from pieper.equations.vanishing import NEWTON, random_postures, scale_of, vanishing_near
+from pieper.kinematics.joints import short_way
 from pieper.tolerances import (
     COEFFICIENT_VANISHES,
     DAMPING_LEAST,
@@ -130,11 +131,12 @@ def visit(form: Form, step: Step) -> Case:
 
 def _meeting(form: Form, step: Step, postures: Array) -> Sym | None:
     """The sign of the earlier step whose two branches meet at degenerate postures (m, n)."""
-    values = truth(form, postures, step.number - 1)
+    others = random_postures(STARTS, form.n, _sliding(form), _scale(form), np.random.default_rng(41))
+    values = truth(form, np.concatenate([postures, others]), step.number - 1)
     for earlier in form.steps[: step.number - 1]:
         if earlier.sigma is not None and earlier.merge is not None and earlier.branches == 2:
-            size = np.abs(np.asarray(earlier.merge.evaluate(values, NumpyField), dtype=float))
-            if size.max() < np.sqrt(COEFFICIENT_VANISHES):
+            size = np.abs(np.broadcast_to(earlier.merge.evaluate(values, NumpyField), len(postures) + len(others)))
+            if size[: len(postures)].max() < np.sqrt(COEFFICIENT_VANISHES) * size.max():
                 return earlier.sigma
     return None
 
@@ -143,15 +145,56 @@ def _scale(form: Form) -> float:
     return max([NO_DIRECTION, *(abs(float(v)) for s, v in form.constants.items() if s.base in ("a", "d"))])
 
 
-def truth(form: Form, q: Array, before: int) -> dict:
-    """Values (N,) of every symbol that the first `before` steps know, at joint vectors (N, n) and their own poses."""
+def _sliding(form: Form) -> list[int]:
+    return [j - 1 for j in form.table.prismatic]
+
+
+def truth(form: Form, q: Array, before: int, *, signs: bool = False) -> dict:
+    """Values (N,) of every symbol that the first `before` steps know, at joint vectors (N, n) and their own poses.
+
+    A branch sign has the value with which its own formula gives the joint vector: where later steps hold it, or `signs`
+    of all steps are asked for.
+    """
     values = form.values_at(q)
     for step in form.steps[:before]:
         for symbol, expression in step.names:
             values[symbol] = expression.evaluate(values, NumpyField)
         if single_joint(step.angle) is None:
             values[step.symbol] = sum(k * values[angle_symbol(j)] for j, k in step.angle)
+        later = _later(form.steps[step.number :])
+        if step.sigma is not None and (signs or any(step.sigma in x.atoms() for x in later)):
+            values[step.sigma] = _sign(form, step, values, len(q))
     return values
+
+
+def _later(steps: tuple[Step, ...]) -> Iterator[Expr]:
+    """Every expression of some steps."""
+    for step in steps:
+        yield from (step.formula, *step.degenerate, *(x for _, x in step.names))
+        if step.merge is not None:
+            yield step.merge
+
+
+def _sign(form: Form, step: Step, values: dict, count: int) -> Array:
+    """The value (count,) of a step's branch symbol that gives its joint the value it has."""
+    wanted = _wanted(form, step, values)
+    choices, gaps = branch_values(step.branches), []
+    with np.errstate(all="ignore"):
+        for sign in choices:
+            gap = np.broadcast_to(step.formula.evaluate({**values, step.sigma: sign}, NumpyField), count) - wanted
+            gaps.append(np.nan_to_num(np.abs(gap if _slides(form, step) else np.angle(np.exp(1j * gap))), nan=np.inf))
+    return np.array(choices)[np.argmin(gaps, axis=0)]
+
+
+def _slides(form: Form, step: Step) -> bool:
+    return single_joint(step.angle) in form.table.prismatic
+
+
+def _wanted(form: Form, step: Step, values: dict) -> Array:
+    """The value (N,) of what a step is for: a slide, an angle or a sum of angles."""
+    if _slides(form, step):
+        return np.asarray(values[step.symbol], dtype=float)
+    return np.asarray(sum(k * values[angle_symbol(j)] for j, k in step.angle), dtype=float)
 
 
 def _vanishing(form: Form, step: Step, q: Array) -> Array:
@@ -163,22 +206,29 @@ def _vanishing(form: Form, step: Step, q: Array) -> Array:
     return np.stack(found, axis=1)
 
 
+def usual_size(form: Form, step: Step) -> Array:
+    """The largest size (m,) of a step's coefficients at random postures, one where they are nothing there."""
+    q = random_postures(STARTS, form.n, _sliding(form), _scale(form), np.random.default_rng(43))
+    size = np.abs(np.nan_to_num(_vanishing(form, step, q))).max(axis=0)
+    return np.where(size > 0, size, 1.0)
+
+
 def _postures(form: Form, step: Step, rng: np.random.Generator) -> Array:
     """Postures (m, n) at which the step degenerates, none when there are none."""
-    size = _scale(form)
-    start = random_postures(STARTS, form.n, [j - 1 for j in form.table.prismatic], size, rng)
-    q, gap = vanishing_near(lambda points: _vanishing(form, step, points), start)
+    size, sliding = _scale(form), _sliding(form)
+    start = random_postures(STARTS, form.n, sliding, size, rng)
+    q, gap, gone = vanishing_near(lambda points: _vanishing(form, step, points), start, scale_of(form.n, sliding, size))
     order = np.argsort(gap)  # the solver asks for the last digits
-    return q[order[gap[order] < COEFFICIENT_VANISHES * max(1.0, size)]]
+    return q[order[gone[order]]]
 
 
 def _free(form: Form, step: Step, postures: Array, rng: np.random.Generator) -> npt.NDArray[np.bool_]:
     """At which postures (m, n) the step's joint can be moved, the joints before it held and those after following."""
-    sliding = [j - 1 for j in form.table.prismatic]
+    sliding = _sliding(form)
     moving = [j for j in range(form.n) if j + 1 not in form.chosen]
     mine = _row(form, step.angle)
     size = _scale(form)
-    far = size if single_joint(step.angle) in form.table.prismatic else 1.0
+    far = size if _slides(form, step) else 1.0
     A = np.array([*(_row(form, earlier.angle) for earlier in form.steps[: step.number - 1]), mine])
     moves = list(itertools.chain.from_iterable(MOVES))
     cells = list(itertools.product(range(len(postures)), moves))
@@ -209,11 +259,14 @@ def _reached(
     """Which poses (K, 4, 4) are reached from the starts x (K, n) with A x = target (K, m), by damped Newton steps."""
     columns = ["noap".index(c) for c in form.given]
     scales = np.array([size if c == "p" else 1.0 for c in form.given])
+    unit = scale_of(form.n, _sliding(form), size)
+    slides = (A != 0)[:, _sliding(form)].any(axis=1)
 
     def missed(points: Array, T: Array, target: Array) -> Array:
         parts = (form.poses(points)[:, :3, columns] - T[:, :3, columns]) / scales
-        wrap = (points @ A.T - target + np.pi) % (2 * np.pi) - np.pi
-        return np.concatenate([parts.reshape(len(points), -1), wrap], axis=1)
+        gap = points @ A.T - target
+        held = np.where(slides, gap / size, short_way(gap))
+        return np.concatenate([parts.reshape(len(points), -1), held], axis=1)
 
     done = np.zeros(len(x), dtype=bool)
     for _ in range(NEWTON):
@@ -223,13 +276,13 @@ def _reached(
         here = missed(x[rows], T[rows], target[rows])
         done[rows] = np.abs(here).max(axis=1) < DEGENERATE_CLOSES
         many = len(moving)
-        points = np.concatenate([x[rows] + h for h in DEGENERATE_STEP * np.eye(form.n)[moving]])
+        points = np.concatenate([x[rows] + h for h in DEGENERATE_STEP * np.diag(unit)[moving]])
         every = missed(points, np.tile(T[rows], (many, 1, 1)), np.tile(target[rows], (many, 1)))
         J = np.moveaxis((every.reshape(many, len(rows), -1) - here) / DEGENERATE_STEP, 0, 2)
         JT = np.swapaxes(J, 1, 2)
         damp = (DAMPING_OF_MISS * (here**2).sum(1) + DAMPING_LEAST)[:, None, None] * np.eye(many)
         move = np.linalg.solve(JT @ J + damp, JT @ here[..., None])[..., 0]
-        x[np.ix_(rows, np.array(moving))] -= np.clip(move, -0.6, 0.6)
+        x[np.ix_(rows, np.array(moving))] -= np.clip(move, -0.6, 0.6) * unit[moving]
     return done
 
 
@@ -254,11 +307,8 @@ def _others(form: Form, step: Step, postures: Array, two: bool) -> Iterator[Inst
     Only where the two branches of an earlier step meet may one of `two` solutions: their sign tells those apart.
     """
     e = form.replayed(step.number - 1)
-    values = truth(form, postures, step.number - 1)
-    if step.symbol in e.knowledge.prismatic.values():
-        wanted = np.asarray(values[step.symbol], dtype=float)
-    else:
-        wanted = np.asarray(sum(k * values[angle_symbol(j)] for j, k in step.angle), dtype=float)
+    values = truth(form, postures, step.number - 1, signs=True)
+    wanted = _wanted(form, step, values)
     sigma, name = Sym("sigma", str(step.number), 0), Sym("f", str(step.number), 4)
     options: list[tuple] = []
     for equations in e.tiers():

@@ -46,7 +46,7 @@ def detour(
         two = two and move.sigma is None
         e.take(move)
         if any(m.angle == angle for m in e.moves[before:]):
-            return _needed(e.moves[before:], angle)
+            return _needed(e, e.moves[before:], angle)
     return ()
 
 
@@ -69,18 +69,20 @@ def _values(gone: list[Sym | Trig]) -> dict[Sym | Trig, Poly]:
     return found
 
 
-def _needed(moves: list[Move], angle: tuple) -> tuple[Move, ...]:
+def _needed(e: Eliminator, moves: list[Move], angle: tuple) -> tuple[Move, ...]:
     """The moves of which the last one makes use, that for the angle."""
     last = next(k for k, m in enumerate(moves) if m.angle == angle)
     kept = [moves[last]]
     for move in reversed(moves[:last]):
         joints = {j for j, _ in move.angle}
-        if any(joints & _joints(later) for later in kept):
+        if any(joints & _joints(e, later) for later in kept):
             kept.insert(0, move)
     return tuple(kept)
 
 
-def _joints(move: Move) -> set[int]:
-    exprs = [move.solved.formula, *(x for _, x in move.solved.definitions)]
+def _joints(e: Eliminator, move: Move) -> set[int]:
+    """The joints of a move's formulas and equations, and of what stands behind their names."""
+    named = [e.target.definitions[name].expr() for name in move.names]
+    exprs = [move.solved.formula, *(x for _, x in move.solved.definitions), *named]
     used = {j for x in exprs for a in x.atoms() if isinstance(a, Trig) for j, _ in a.angle}
     return used | {j for q in move.equations for p in (q.left, q.right) for j in p.joints()}

@@ -12,6 +12,7 @@ from pieper.judge.model import ArmModel
 from pieper.judge.samples import pose_of
 from pieper.judge.verdict import Verdict
 from pieper.kinematics.arrays import Array
+from pieper.kinematics.joints import short_way
 from pieper.tolerances import CENTRAL_STEP, DAMPED_AT_LEAST, DAMPED_BY_MISS, JUDGED_HOLDS, JUDGED_RANK, PART_OF_FREEDOM
 
 
@@ -123,7 +124,7 @@ def completes(
     def gap(points: Array) -> tuple[Array, Array]:
         error, flip = missed(points)
         held = (rows @ (q - points).T).T
-        return np.concatenate([error, (held + np.pi) % (2 * np.pi) - np.pi], axis=1), flip
+        return np.concatenate([error, short_way(held)], axis=1), flip
 
     def missed(points: Array) -> tuple[Array, Array]:
         now = pose_of(model, points)

@@ -28,6 +28,7 @@ from pieper.judge.numbers import (
 from pieper.judge.products import Product
 from pieper.judge.samples import samples_at
 from pieper.judge.slips.arm_slips import arm_slips
+from pieper.judge.slips.fitting import joint_that_fits, lengths_that_fit
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import ROUND_OFF
 
@@ -201,6 +202,11 @@ def printed_slips(first: Reading) -> Iterator[tuple[str, str, Reading]]:
             scaled = right.copy()
             scaled[:3, 3] *= scale
             yield "millimetres", words, as_if(scaled)
+    if len(first.serious()) == 2:
+        a, b = first.serious()
+        swapped = right.copy()
+        swapped[a], swapped[b] = right[b], right[a]
+        yield "entries exchanged", " and ".join(f"({i + 1},{j + 1})" for i, j in (a, b)) + " exchanged", as_if(swapped)
     for i, j in ((0, 1), (0, 2), (1, 2)):
         order = [0, 1, 2, 3][: len(right)]
         order[i], order[j] = j, i
@@ -236,30 +242,27 @@ def _explain(model: ArmModel, q: np.ndarray, reading: Reader, first: Reading) ->
         if all(rest.values()):
             more = "".join(f"; besides, entry ({i + 1},{j + 1}) is a misprint: {w}" for (i, j), w in rest.items())
             return f"{words} gives the printed numbers{more}", kind, tried, words
+    words, kind = _one_number(model, q, reading, first)
+    return (f"{words}: all entries agree then" if words else ""), kind, tried, words
+
+
+def _one_number(model: ArmModel, q: np.ndarray, reading: Reader, first: Reading) -> tuple[str, str]:
+    """The one joint or length whose other value makes every printed entry right, (words, kind)."""
+    wanted = np.full(first.right.shape, np.nan)
+    for i, j in first.claimed:
+        wanted[i, j] = read_number(first.printed[i][j])
+
+    def value(arm: ArmModel, joints: np.ndarray) -> np.ndarray:
+        return reading(arm, joints).right
+
     for joint in range(model.n):
-        value = _joint_that_fits(model, q, joint, reading, first)
-        if value is not None:
-            words = f"joint {joint + 1} is {np.degrees(value):.4f} deg, not {np.degrees(q[joint]):g} deg"
-            return f"{words}: all entries agree then", "joint value", tried, words
-    return "", "", tried, ""
-
-
-def _joint_that_fits(model: ArmModel, q: np.ndarray, joint: int, reading: Reader, first: Reading) -> float | None:
-    """Return the value of a joint with which every printed entry agrees; a pose is linear in its sine and cosine."""
-    if model.sliding(joint + 1):
-        return None
-    at = []
-    for angle in (0.0, np.pi / 2, np.pi):
-        moved = q.copy()
-        moved[joint] = angle
-        at.append(reading(model, moved).right)
-    middle, cosine = (at[0] + at[2]) / 2, (at[0] - at[2]) / 2
-    sine = at[1] - middle
-    cells = first.claimed
-    scale = {c: 1 / (1 + abs(first.right[c])) for c in cells}
-    M = np.array([[cosine[c] * scale[c], sine[c] * scale[c]] for c in cells])
-    y = np.array([(read_number(first.printed[c[0]][c[1]]) - middle[c]) * scale[c] for c in cells])
-    c, s = np.linalg.lstsq(M, y, rcond=None)[0]
-    moved = q.copy()
-    moved[joint] = np.arctan2(s, c)
-    return None if reading(model, moved).serious() else float(moved[joint])
+        found, new = joint_that_fits(model, q, joint, value, wanted)
+        if not reading(model, new).serious():
+            unit, turn = (model.unit, 1.0) if model.sliding(joint + 1) else ("deg", 180 / np.pi)
+            return f"joint {joint + 1} is {turn * found:.4f} {unit}, not {turn * q[joint]:g} {unit}", "joint value"
+    finest = min((last_digit(first.printed[i][j]) for i, j in first.claimed), default=ROUND_OFF)
+    for place, old, new_length, arm in lengths_that_fit(model, q, value, wanted):
+        if not reading(arm, q).serious():
+            digits = max(0, round(-np.log10(finest)))
+            return f"{place} is {new_length:.{digits}f}, not {old:g} {model.unit}", "length value"
+    return "", ""

@@ -9,10 +9,23 @@ from pieper.judge.claim import Claim
 from pieper.judge.digits import ROUNDED, Interval, reaches
 from pieper.judge.evidence import Evidence
 from pieper.judge.judges.poses import joint_slips
-from pieper.judge.numbers import UNITS, digit_units, joint_units, read_joints, read_matrix, read_number, unit_of
+from pieper.judge.model import ArmModel
+from pieper.judge.numbers import (
+    UNITS,
+    digit_units,
+    joint_units,
+    misprint,
+    read_joints,
+    read_matrix,
+    read_number,
+    unit_of,
+)
 from pieper.judge.samples import pose_of
+from pieper.judge.slips.fitting import joint_that_fits
 from pieper.judge.verdict import Verdict
 from pieper.tolerances import JUDGED_ZERO
+
+RADIAN_DIGITS = 0.02  # rad: a number of one decimal or none could be any angle
 
 
 def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
@@ -56,6 +69,7 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
                     position=position,
                 )
             ]
+            near = near[:1] or _one_joint(model, solutions[k], joints, pose, position=position)
             slips += near[:1]
             lines += [("the slip", f"solution {k + 1}: {says}") for _, says in near[:1]]
     count, complete = len(solutions), claim.get("complete")
@@ -87,6 +101,36 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
         return claim.partly(sentence, lines, "listed twice")
     others = ", and there are no others." if complete else "."
     return claim.holds(f"Holds: {count} of {count} reach the pose{others}", lines)
+
+
+def _one_joint(
+    model: ArmModel, printed: list, joints: Interval, pose: Interval, *, position: bool
+) -> list[tuple[str, str]]:
+    """The joint that alone is wrong, [(kind, words)]: with another value of it the joint vector reaches the pose."""
+    wanted = pose.value.copy()
+    wanted[:, :3] = np.nan if position else wanted[:, :3]
+    for k, text in enumerate(printed):
+        slides = model.sliding(k + 1)
+        turn = 1.0 if slides else 180 / np.pi
+        read, unit = turn * joints.value[k], joints.unit.copy()
+        if not slides and abs(read) < 2 * np.pi and turn * unit[k] < RADIAN_DIGITS:  # the number as radians
+            new, unit[k] = joints.value.copy(), turn * joints.unit[k]
+            new[k] = read
+            if reaches(model, Interval(new, unit), pose, position=position):
+                return [("degrees", f"joint {k + 1} is {turn * read:.6g} deg, not {read:.6g}: in radians")]
+        found, new = joint_that_fits(model, joints.value, k, lambda arm, q: pose_of(arm, q)[0, :3], wanted)
+        unit[k] = max(joints.unit)
+        if not reaches(model, Interval(new, unit), pose, position=position):
+            continue
+        right = turn * found if slides else turn * found + 360 * round((read - turn * found) / 360)
+        why = next((w for v in (right, turn * found) for w in [misprint(text, v)] if w), "")
+        last = turn * unit[k] or JUDGED_ZERO
+        short = new.copy()
+        short[k] = round(right / last) * last / turn
+        right = turn * short[k] if reaches(model, Interval(short, unit), pose, position=position) else right
+        words = f"joint {k + 1} is {right:.6g} {model.unit if slides else 'deg'}, not {read:.6g}"
+        return [("misprint" if why else "joint value", words + (f": {why}" if why else ""))]
+    return []
 
 
 def _twice(ev: Evidence, given: list[Interval]) -> list[tuple[int, int]]:

@@ -11,17 +11,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations_with_replacement, permutations, product
+from itertools import combinations, combinations_with_replacement, permutations, product
 from typing import Any
 
 import numpy as np
 
-from pieper.algebra.expression import Add, Call, Expr, Mul, Num, PiFraction, Power, Sym
+from pieper.algebra.expression import Add, Call, Div, Expr, Mul, Num, PiFraction, Power, Sym
 from pieper.algebra.formula import ANGLE, Equation, Mention, Neg, PlusMinus, is_call, number, positions, unordered
 from pieper.judge.slips.slip import Slip
+from pieper.kinematics.joints import short_way
 from pieper.tolerances import CONSTANT_GAP, SEARCH_ARC, SEARCH_SAME
 
 FACTORS = 3  # letters in a lost term
+LONG = 5  # letters in a lost term of a sum whose other terms are long
+AMONG = 20  # letters of which long products are made: sines, cosines and lengths, each once
 FIRST = 52  # letters of which products are made; more are seldom in one formula
 MOST_TERMS = 6  # of a sum whose neighbours may share a lost factor
 ENOUGH = 3  # samples at which a product must have the value; the others may be on another branch
@@ -45,9 +48,16 @@ class Shelf:
         letters: What may stand in a product.
         env: Values of all symbols at a few samples, (P,) each.
         values: Values of subexpressions already known.
+        long: Letters that may also stand in products of four and five, as texts.
     """
 
-    def __init__(self, letters: Mapping[str, Expr], env: dict[str, np.ndarray], values: dict[Expr, Any]) -> None:
+    def __init__(
+        self,
+        letters: Mapping[str, Expr],
+        env: dict[str, np.ndarray],
+        values: dict[Expr, Any],
+        long: tuple[str, ...] = (),
+    ) -> None:
         self.shape = shape = np.shape(env["theta1"])
         self.letters: list[Expr] = []
         logs, signs = [], []
@@ -64,20 +74,36 @@ class Shelf:
             [np.zeros((1, 0), int)],
         )
         if logs:
-            for size in range(1, FACTORS + 1):
-                chosen = np.array(list(combinations_with_replacement(range(len(logs)), size)))
+            kept = [k for k, letter in enumerate(self.letters) if str(letter) in long]
+            for size in range(1, (LONG if len(kept) >= LONG else FACTORS) + 1):
+                made = (
+                    combinations_with_replacement(range(len(logs)), size)
+                    if size <= FACTORS
+                    else combinations(kept, size)
+                )
+                chosen = np.array([row for row in made if size <= FACTORS or self._may_be(row)])
+                if not len(chosen):
+                    break
                 self._products.append(chosen)
                 self._logs.append(np.array(logs)[chosen].sum(1))
                 self._signs.append(np.array(signs)[chosen].prod(1))
         self._order = [[np.argsort(part[:, p], kind="stable") for p in range(ANCHORS)] for part in self._logs]
 
-    def find(self, value: np.ndarray, most: int = FACTORS, least: int = 0) -> Iterator[Found]:
+    def _may_be(self, row: tuple[int, ...]) -> bool:
+        """Whether no sine goes with the cosine of the same angle: entries of products of matrices have none such."""
+        angles = [str(x.args[0]) for k in row for x in [self.letters[k]] if isinstance(x, Call)]
+        return len(set(angles)) == len(angles)
+
+    def find(
+        self, value: np.ndarray, most: int = FACTORS, least: int = 0, *, unsigned: bool = False
+    ) -> Iterator[Found]:
         """Yield the products, fewest letters first, that have a value (P,) at a few of the samples.
 
         Args:
             value: What is wanted, nan where unknown.
             most: Letters at most.
             least: Letters at least.
+            unsigned: Whether the size alone is known, as of what is squared.
         """
         size, sign = np.log(np.abs(value)), np.sign(value)
         for letters in range(least, min(most, len(self._logs) - 1) + 1):
@@ -97,7 +123,7 @@ class Shelf:
                         seen.add(k)
                         near = np.abs(logs[k] - wanted) < SEARCH_SAME
                         for sense in (1, -1):
-                            if np.count_nonzero(near & (signs[k] * sense == sign)) >= ENOUGH:
+                            if np.count_nonzero(near & ((signs[k] * sense == sign) | unsigned)) >= ENOUGH:
                                 yield Found(sense * coefficient, tuple(products[k].tolist()))
 
     def product(self, found: Found, before: Expr | None = None) -> Expr:
@@ -128,16 +154,18 @@ class Lost:
         joints: How many joints the arm has.
         own: Names of the angles that the formula is for, which it may not use.
         angle: Whether it is a formula for an angle.
+        long: Letters of which terms of more than three may be made, as texts.
     """
 
     letters: Mapping[str, Expr]
     joints: int
     own: frozenset[str] = frozenset()
     angle: bool = False
+    long: tuple[str, ...] = ()
 
     def shelf(self, env: dict[str, np.ndarray], values: dict[Expr, Any]) -> Shelf:
         """The products of its letters at a few samples."""
-        return Shelf(self.letters, env, values)
+        return Shelf(self.letters, env, values, self.long)
 
     def slips(
         self,
@@ -174,7 +202,8 @@ class Lost:
                     yield from _parts_of_sum(root, path, node, shelf, need - value, values)
                 if isinstance(node, Mul):
                     yield from _parts_of_product(root, path, node, shelf, need, values)
-                yield from _letters(root, path, node, shelf, need)
+                squared = isinstance(parent, Power) and isinstance(parent.power, int) and not parent.power % 2
+                yield from _letters(root, path, node, shelf, need, squared=squared)
                 if any_slip and np.count_nonzero(np.abs(need + value) < SEARCH_SAME * np.abs(value)) >= ENOUGH:
                     yield Slip("sign", ("the sign of {}", node), root, path, Neg.of(node), 0.5)
 
@@ -188,7 +217,7 @@ class Lost:
         """
         for name in (f"theta{j}" for j in range(1, self.joints + 1)):
             for sign in (1, -1):
-                off = np.abs((gap - sign * env[name] + np.pi) % (2 * np.pi) - np.pi)
+                off = np.abs(short_way(gap - sign * env[name]))
                 if name not in self.own and np.count_nonzero(off < SEARCH_ARC) * 2 >= len(off):
                     term = Mention(name)
                     new = Add.of(root, term if sign > 0 else Neg.of(term))
@@ -199,13 +228,13 @@ class Lost:
         for y, x in permutations(entries, 2):
             for sy, sx in product((1, -1), repeat=2):
                 arc = np.arctan2(sy * env[y.name], sx * env[x.name])
-                if np.count_nonzero(np.abs((gap - arc + np.pi) % (2 * np.pi) - np.pi) < SEARCH_ARC) >= ENOUGH:
+                if np.count_nonzero(np.abs(short_way(gap - arc)) < SEARCH_ARC) >= ENOUGH:
                     term = Call("atan2", y if sy > 0 else Neg.of(y), x if sx > 0 else Neg.of(x))
                     yield Slip("missing term", ("{} lost", term), root, (), Add.of(term, root), 1.1)
 
 
 def _terms(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, gap: np.ndarray, more: float) -> Iterator[Slip]:
-    for found in shelf.find(gap):
+    for found in shelf.find(gap, most=LONG):
         term = shelf.product(found)
         if unordered(term) in (unordered(Mul.of(number(2), node)), unordered(node)):
             continue  # a sign, or a factor
@@ -244,6 +273,13 @@ def _factors(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, ratio:
             Neg.of(new) if found.coefficient < 0 else new,
             cost,
         )
+    for found in shelf.find(1 / ratio, most=2, least=1):
+        if found.coefficient > 0:
+            under = shelf.product(found)
+            cost = 1.2 + 0.25 * len(found.letters) + 0.1 * (found.coefficient != 1) + _foreign(root, shelf, found)
+            yield Slip(
+                "missing factor", ("the division by {} lost from {}", under, node), root, path, Div(node, under), cost
+            )
 
 
 def _parts_of_sum(
@@ -283,10 +319,12 @@ def _parts_of_product(
             yield Slip("missing term", words, root, path, Mul(*node.args[:first], bracket), cost)
 
 
-def _letters(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, need: np.ndarray) -> Iterator[Slip]:
+def _letters(
+    root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, need: np.ndarray, *, squared: bool
+) -> Iterator[Slip]:
     if not isinstance(node, Sym) and not is_call(node, "sin", "cos"):
         return
-    for found in shelf.find(need, most=1, least=1):
+    for found in shelf.find(need, most=1, least=1, unsigned=squared):
         if found.coefficient == 1:
             new = shelf.product(found)
             yield Slip("swapped factor", ("{} for {}", node, new), root, path, new, 1.0)

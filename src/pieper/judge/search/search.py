@@ -19,6 +19,7 @@ from pieper.algebra.formula import Equation, has_branch, unordered
 from pieper.judge.search.lookup import Lost, Shelf
 from pieper.judge.search.required import required_values
 from pieper.judge.slips.slip import Slip
+from pieper.kinematics.joints import short_way
 from pieper.tolerances import FLOOR_OF_SEARCH, NEED_MET, ROUNDING, SEARCH_ARC, VALUE_TOLERANCE
 
 MAX_SEARCHED = 4000  # nodes; a formula of several pages has more slips than anyone waits for
@@ -65,7 +66,7 @@ class Goal:
             else:
                 gap = node.evaluate(self.env, NumpyField, branch, cache, learn) - self.wanted
                 if self.angle:
-                    off = np.abs((gap + np.pi) % (2 * np.pi) - np.pi) / SEARCH_ARC
+                    off = np.abs(short_way(gap)) / SEARCH_ARC
                 else:
                     off = np.abs(gap) / (VALUE_TOLERANCE * self._scale)
         off = np.broadcast_to(np.asarray(off, dtype=float), np.shape(self.env["theta1"]))

@@ -12,6 +12,7 @@ import numpy as np
 from pieper.algebra.expression import Add, Expr, PiFraction
 from pieper.algebra.formula import Mention, Neg, number
 from pieper.judge.model import ArmModel
+from pieper.judge.slips.fitting import lengths_of
 from pieper.tolerances import ROUNDING, WHOLE_TURN
 
 ARM_KINDS = {
@@ -36,7 +37,7 @@ def arm_slips(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
     other = "modified" if model.convention == "standard" else "standard"
     yield "convention", f"{other} for {model.convention} DH", replace(model, convention=other)
     for i, row in enumerate(model.rows):
-        joint, zero = i + 1, number(0)
+        joint = i + 1
         if not model.sliding(joint):
             if _value(model, row.a) or _value(model, row.d):
                 yield "row", f"a and d swapped in row {joint}", model.with_row(i, a=row.d, d=row.a)
@@ -48,11 +49,9 @@ def arm_slips(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
         twist = _value(model, row.alpha)
         if twist and abs(abs(twist) - np.pi) > WHOLE_TURN:
             yield "twist", f"the twist of row {joint} has the other sign", model.with_row(i, alpha=Neg.of(row.alpha))
-        for column in ("a", "d"):
-            node = getattr(row, column)
-            if _value(model, node) and not model.sliding(joint):
-                yield "row", f"{column} of row {joint} left out", model.with_row(i, **{column: zero})
-                yield "row", f"{column} of row {joint} has the other sign", model.with_row(i, **{column: Neg.of(node)})
+    for place, node, make in lengths_of(model):
+        yield "row", f"{place} left out", make(model, number(0))
+        yield "row", f"{place} has the other sign", make(model, Neg.of(node))
     yield from _exchanged(model)
     if not np.allclose(model.tool, np.eye(4)):
         yield "tool", "the tool left out", replace(model, tool=np.eye(4))
@@ -75,15 +74,10 @@ def two_twists(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
 
 def _exchanged(model: ArmModel) -> Iterator[tuple[str, str, ArmModel]]:
     """Yield the arms in which two lengths of the table stand in each other's place."""
-    places = [
-        (i, column, getattr(row, column))
-        for i, row in enumerate(model.rows)
-        for column in ("a", "d")
-        if not (column == "d" and model.sliding(i + 1)) and _value(model, getattr(row, column))
-    ]
-    for (i, first, a), (j, second, b) in itertools.combinations(places, 2):
-        if i != j and abs(_value(model, a) - _value(model, b)) > ROUNDING:
-            yield "lengths", f"{a} and {b} exchanged", model.with_row(i, **{first: b}).with_row(j, **{second: a})
+    for (first, a, make), (second, b, make_other) in itertools.combinations(lengths_of(model), 2):
+        apart = abs(_value(model, a) - _value(model, b)) > ROUNDING
+        if first.split()[-1] != second.split()[-1] and apart:
+            yield "lengths", f"{a} and {b} exchanged", make_other(make(model, b), a)
 
 
 def axis_renamings() -> Iterator[tuple[str, np.ndarray]]:

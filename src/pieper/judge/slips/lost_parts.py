@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from pieper.algebra.expression import Call, Expr
+from collections.abc import Mapping
+
+from pieper.algebra.expression import Call, Expr, Mul
 from pieper.algebra.formula import angle_sum
 from pieper.judge.circular import axis_senses
 from pieper.judge.evidence import Evidence
-from pieper.judge.search.lookup import Lost, letters_of
+from pieper.judge.search.lookup import AMONG, FACTORS, Lost, letters_of
 from pieper.judge.search.search import Goal
 from pieper.judge.slips.formula_slips import factor_pool
 
@@ -39,4 +41,18 @@ def lost_from(ev: Evidence, node: Expr, goal: Goal, angle: Expr | None = None) -
             slides[to] = name
     sliding = set(slides.values())
     letters = letters_of(node, pool, goal.env, own, sliding)
-    return Lost(letters, ev.model.n, own, angle is not None)
+    return Lost(letters, ev.model.n, own, angle is not None, _long(node, letters, ev))
+
+
+def _long(node: Expr, letters: Mapping[str, Expr], ev: Evidence) -> tuple[str, ...]:
+    """Letters of a lost term of more than three: none where no term is long, else sines, cosines and lengths.
+
+    Those of single joints and those that the formula has come first: of a term that was lost no letter need stand
+    elsewhere.
+    """
+    if not any(isinstance(x, Mul) and len(x.args) >= FACTORS for x in node.walk()):
+        return ()
+    inside = {str(x) for x in node.walk()}
+    kept = [text for text, x in letters.items() if isinstance(x, Call) or (text in ev.lengths and text in inside)]
+    kept.sort(key=lambda text: (text not in inside, len(str(letters[text]))))
+    return tuple(kept[:AMONG])

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
 from pieper import arguments
-from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import checked_joints
@@ -17,7 +18,14 @@ from pieper.motion.dialects.shape import Shape, shape
 from pieper.solver.plan.plan import Plan
 from pieper.tolerances import LIMIT_SLACK
 
+#: The maker whose arms have a dialect and no configuration words, and what its name in a robot file says.
+UR, _UR = "ur", "universal"
 _OPEN = " Not confirmed on a controller."
+_NOBODY = " The arm's file names no maker: that its joints count as {maker}'s do is taken for granted."
+
+
+#: Words and turns of a posture (n,).
+WordsOf: TypeAlias = Callable[[Shape, Array], tuple[tuple[str, ...], tuple[int, ...]]]
 
 
 @dataclass(frozen=True)
@@ -65,10 +73,10 @@ def _denso(s: Shape, q: Array) -> tuple[tuple[str, ...], tuple[int, ...]]:
     return (str(figure + 8 * double[0] + 16 * double[1]),), (double[1], double[0])
 
 
-#: maker -> (words of its name in a robot file, what the words are called, the words, the rule)
-MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...], tuple[int, ...]]], str]] = {
+#: maker -> (what its name in a robot file says one of, what the words are called, the words, the rule)
+MAKERS: dict[str, tuple[tuple[str, ...], str, WordsOf, str]] = {
     "abb": (
-        "abb",
+        ("abb",),
         "cf1, cf4, cf6, cfx",
         _abb,
         "cf1, cf4, cf6: the quarter turn floor(angle / 90 deg) of axes 1, 4, 6. cfx: 4 if the wrist centre is behind "
@@ -78,7 +86,7 @@ MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...]
         "serial link arms from memory.",
     ),
     "kuka": (
-        "kuka",
+        ("kuka",),
         "S and T",
         _kuka,
         "S: 1 if the wrist root point has a negative x in the frame that turns with A1 (overhead area), plus 2 if A3 "
@@ -88,7 +96,7 @@ MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...]
         "and CIRC ignore both.",
     ),
     "fanuc": (
-        "fanuc",
+        ("fanuc",),
         "CONFIG",
         _fanuc,
         "N or F: the wrist is not flipped or flipped, taken as J5 negative or positive; published pages contradict "
@@ -97,7 +105,7 @@ MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...]
         "axis 1. Turns of J1, J4, J6: 0 from -180 to 180 deg (FANUC operator's manual, configuration).",
     ),
     "yaskawa": (
-        "motoman",
+        ("yaskawa", "motoman"),
         "RCONF",
         _yaskawa,
         "Flip (0, B positive) or no flip (1), upper (0) or lower (1) arm, front (0) or rear (1), then R, T and S: 0 "
@@ -105,7 +113,7 @@ MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...]
         "DX100 manuals (HW0481924 and HW0482494, Job Data Format, RCONF); that flip is a positive B is from memory.",
     ),
     "denso": (
-        "denso",
+        ("denso",),
         "figure",
         _denso,
         "1 if lefty, taken as the wrist behind axis 1, plus 2 if the elbow is below, plus 4 if the wrist is not "
@@ -116,17 +124,40 @@ MAKERS: dict[str, tuple[str, str, Callable[[Shape, Array], tuple[tuple[str, ...]
 }
 
 
-def configuration(plan: Plan, q: ArrayLike, maker: str) -> Configuration:
+def configuration(plan: Plan, q: ArrayLike, maker: str, made_by: str) -> Configuration:
     """Return a posture in a maker's configuration words.
 
     Args:
         plan: How the arm is solved.
         q: (n,) joint vector, rad.
         maker: "abb", "kuka", "fanuc", "yaskawa" or "denso".
+        made_by: Whose arm it is, as its robot file says; empty where nobody does, which the rule then says.
 
     Raises:
-        InputError: The maker is unknown or has no such words, or the arm is not of the kind they are defined for.
+        InputError: The maker is unknown or has no such words, the arm is another maker's, or it is not of the kind
+            that the words are defined for.
     """
+    joints = checked_joints(q, plan.n)
+    if joints.ndim != 1:
+        raise InputError(f"q must be one joint vector ({plan.n},), got {joints.shape}.", given=joints.shape)
+    words, turns, clear = words_at(plan, joints, maker, made_by)
+    key = maker.lower()
+    untold: list[str] = []
+    for j in range(6):
+        low, high = plan.limits[j]
+        for turn in (-2, -1, 1, 2):
+            other = joints.copy()
+            other[j] += turn * TURN
+            inside = low - LIMIT_SLACK <= other[j] <= high + LIMIT_SLACK
+            if inside and words_at(plan, other, key, made_by)[:2] == (words, turns):
+                untold.append(plan.names[j])
+                break
+    said = MAKERS[key][3] if made_by.strip() else MAKERS[key][3] + _NOBODY.format(maker=key)
+    return Configuration(words, turns, said + _OPEN, clear, tuple(untold))
+
+
+def words_at(plan: Plan, q: Array, maker: str, made_by: str) -> tuple[tuple[str, ...], tuple[int, ...], float]:
+    """Return the words and turns of a posture (n,) alone, and how clear they are; see `configuration`."""
     key = str(maker).lower()
     if key not in MAKERS:
         raise InputError(
@@ -135,25 +166,29 @@ def configuration(plan: Plan, q: ArrayLike, maker: str) -> Configuration:
             given=maker,
             allowed=list(MAKERS),
         )
-    joints = checked_joints(q, plan.n)
-    if joints.ndim != 1:
-        raise InputError(f"q must be one joint vector ({plan.n},), got {joints.shape}.", given=joints.shape)
-    _, named, words_of, rule = MAKERS[key]
-    s = shape(plan, joints, f"{key}'s {named}")
-    words, turns = words_of(s, joints)
-    untold: list[str] = []
-    for j in range(6):
-        low, high = plan.limits[j]
-        for turn in (-2, -1, 1, 2):
-            other = joints.copy()
-            other[j] += turn * TURN
-            if low - LIMIT_SLACK <= other[j] <= high + LIMIT_SLACK and words_of(s, other) == (words, turns):
-                untold.append(plan.names[j])
-                break
-    return Configuration(words, turns, rule + _OPEN, s.nearest, tuple(untold))
+    if not is_of(made_by, key):
+        raise InputError(
+            f"{plan.name} is made by {made_by}; {key}'s words are said of its own arms alone: signs and zeros of "
+            f"joints differ from maker to maker. {_own(made_by)}",
+            given=maker,
+            maker=made_by,
+        )
+    _, named, words_of, _ = MAKERS[key]
+    s = shape(plan, q, f"{key}'s {named}")
+    return *words_of(s, q), s.nearest
 
 
-def is_of(description: Description, maker: str) -> bool:
-    """Whether an arm is of a maker, or of none that is known."""
-    said = description.manufacturer.lower()
-    return not said or MAKERS[maker][0] in said
+def is_of(made_by: str, maker: str) -> bool:
+    """Whether an arm of whom its file names is of a maker; one that names nobody may be anybody's."""
+    said = made_by.lower()
+    names = (_UR,) if maker == UR else MAKERS[maker][0]
+    return not said.strip() or any(re.search(rf"\b{name}\b", said) for name in names)
+
+
+def _own(made_by: str) -> str:
+    """Return what words an arm has instead, in a sentence."""
+    own = next((maker for maker in MAKERS if is_of(made_by, maker)), None)
+    if own is not None:
+        return f'Its own are those of "{own}".'
+    none = "Its maker has none" if is_of(made_by, UR) else "Its maker's are not known here"
+    return f"{none}: write joint targets."

@@ -15,6 +15,7 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import inverse
 from pieper.kinematics.spoken import read_pose
+from pieper.motion.dialects.configuration import Configuration, configuration
 from pieper.motion.dialects.manner import NUMBER, Reader, with_manner
 from pieper.motion.dialects.target import Target
 from pieper.motion.instructions import FrameChange, Instruction, Move, ToolChange
@@ -27,6 +28,7 @@ from pieper.words_by_number import plural
 USUAL_SPEED = 0.25
 
 
+_NOBODY = "The arm's robot file names no maker: that its joints count as this controller's do is taken for granted."
 _Key = TypeVar("_Key", str, int)
 
 
@@ -111,6 +113,10 @@ class Script:
         """Return joint values as controllers take them: degrees, and millimetres of a slide."""
         return [float(v) for v in np.where(self.plan.prismatic, q * 1e3, np.degrees(q))]
 
+    def configuration(self, q: Array, maker: str) -> Configuration:
+        """Return a posture (n,) in a maker's configuration words."""
+        return configuration(self.plan, q, maker, self.description.manufacturer)
+
     def line_speed(self, move: Move) -> float:
         """Return the speed of the tool's point that is written for a line or circle, m/s, within its limit."""
         said = USUAL_SPEED if move.speed is None else move.speed
@@ -130,6 +136,7 @@ class Script:
             f"Tool in the last frame of its table: x y z {numbers(tool[:3], 3)} mm, rpy {numbers(tool[3:], 4)} deg; "
             "set the same on the controller.",
             *self._speeds(shares),
+            *([] if self.description.manufacturer.strip() else [_NOBODY]),
             "Not confirmed on a controller.",
         ]
         return [f"{mark} {line}" for text in said for line in wrap(text, width - len(mark) - 1)]

@@ -7,11 +7,12 @@ from collections.abc import Callable
 
 import numpy as np
 
+from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Setup, Target, fixed, known_one, named
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner
+from pieper.motion.dialects.target import Words
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 _JOINTS = ("J1", "J2", "J3", "J4", "J5", "J6")
@@ -96,7 +97,7 @@ def _place(script: Script, index: int, q: Array, T: Array, coupled: bool, now: S
             values[2] -= values[1]
         said = ",\n  ".join(f"{n}= {fixed(v, 5)} deg" for n, v in zip(_JOINTS, values, strict=True))
         return f"P[{index}]{{\n  GP1:\n  {stands},\n  {said}\n}};"
-    words = configuration(script.plan, q, "fanuc")
+    words = script.configuration(q, "fanuc")
     config = f"'{' '.join(words.words)}, {', '.join(str(t) for t in words.turns)}'"
     values = read_pose(T, "wpr", degrees=True, mm=True)
     units = ["mm"] * 3 + ["deg"] * 3
@@ -108,6 +109,7 @@ def read(text: str) -> list[Target]:
     """Return the targets of a program, in the order of its moves."""
     coupled = _COUPLED in text
     places: dict[int, tuple[Array | None, Array | None]] = {}
+    words: dict[int, Words] = {}
     for m in re.finditer(r"P\[(\d+)[^\]]*\]\s*\{(.*?)\}", text, re.S):
         joints, values = named(m[2], _JOINTS), named(re.sub(r"CONFIG.*?'.*?'", "", m[2]), _POSE)
         if joints is not None:
@@ -116,6 +118,8 @@ def read(text: str) -> list[Target]:
             places[int(m[1])] = np.radians(joints), None
         elif values is not None:
             places[int(m[1])] = None, pose(*values[:3], wpr=values[3:], degrees=True, mm=True)
+            if config := re.search(r"CONFIG\s*:\s*'([^']*)'", m[2]):
+                words[int(m[1])] = _words(config[1])
     out: list[Target] = []
     register = [0.0] * 6
     tools: dict[int, Array] = {}
@@ -141,10 +145,24 @@ def read(text: str) -> list[Target]:
         if m[3]:
             q_via, via = places[int(m[2])]
             q, T = places[int(m[3])]
-            out.append(Target(kind, q, T, via, q_via, place=m.start(1)).under(*under))
+            said = words.get(int(m[3]))
+            out.append(Target(kind, q, T, via, q_via, words=said, place=m.start(1)).under(*under))
         else:
-            out.append(Target(kind, *places[int(m[2])], place=m.start(1)).under(*under))
+            said = words.get(int(m[2]))
+            out.append(Target(kind, *places[int(m[2])], words=said, place=m.start(1)).under(*under))
     return out
+
+
+def _words(config: str) -> Words:
+    """Return what stands in a CONFIG, or say that it is not read."""
+    m = re.fullmatch(r"\s*([NF])\s*([UD])\s*([TB])\s*,\s*(-?\d+)\s*,\s*(-?\d+)\s*,\s*(-?\d+)\s*", config)
+    if m is None:
+        raise InputError(
+            f"CONFIG {config!r} is not read: it is N or F, U or D, T or B, and the turns of J1, J4 and J6, such as "
+            "'N U T, 0, 0, 0'.",
+            given=config,
+        )
+    return Words("fanuc", (m[1], m[2], m[3]), (int(m[4]), int(m[5]), int(m[6])))
 
 
 _HAPPENINGS = Happenings(

@@ -42,10 +42,7 @@ def text_of(script: Script, dialect: str) -> str:
         )
     said = script.description.manufacturer
     if found.maker is not None:
-        mine = (
-            not said or "universal" in said.lower() if found.maker == "ur" else is_of(script.description, found.maker)
-        )
-        if not mine:
+        if not is_of(said, found.maker):
             raise InputError(
                 f"{script.plan.name} is made by {said}; {dialect} is for another maker's controllers. Choose its own "
                 "dialect, or ros or csv.",

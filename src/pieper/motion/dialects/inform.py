@@ -11,9 +11,9 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import inverse, pose_error
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Setup, Target, fixed, found, listed, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner
+from pieper.motion.dialects.target import Words
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 from pieper.tolerances import SAME_TOOL_IN_FILE
 
@@ -45,7 +45,7 @@ def write(script: Script) -> str:
     last: list[str] = []
 
     def place(q: Array, T: Array, frame: int | None = None) -> str:
-        said = configuration(script.plan, q, "yaskawa")
+        said = script.configuration(q, "yaskawa")
         stands = now.frame_number if frame is None else frame
         words = [f"///TOOL {now.tool_number - 1}"]
         words += [f"///USER {stands}", "///POSTYPE USER"] if stands else ["///POSTYPE ROBOT"]
@@ -134,13 +134,21 @@ def read(text: str) -> list[Target]:
     """
     places: dict[str, Array] = {}
     stands: dict[str, tuple[int, int]] = {}
+    words: dict[str, Words] = {}
     tool, user = 0, 0
-    for m in re.finditer(r"^(C\d+)=(.*)$|^///TOOL (\d+)|^///USER (\d+)|^///POSTYPE ROBOT", text, re.M):
+    rconf: Words | None = None
+    header = r"^(C\d+)=(.*)$|^///TOOL (\d+)|^///USER (\d+)|^///POSTYPE ROBOT|^///RCONF (?P<rconf>.*)$"
+    for m in re.finditer(header, text, re.M):
         if m[1]:
             v = found(m[2], 6)
             places[m[1]], stands[m[1]] = pose(*v[:3], yaskawa=v[3:], degrees=True, mm=True), (tool, user)
+            if rconf is not None:
+                words[m[1]] = rconf
         elif m[3]:
             tool = int(m[3])
+        elif m["rconf"]:
+            flip, lower, rear, *turns = (int(v) for v in found(m["rconf"], 6))
+            rconf = Words("yaskawa", (str(flip), str(lower), str(rear)), (turns[0], turns[1], turns[2]))
         else:
             user = int(m[4] or 0)
     tools: dict[int, Array] = {}
@@ -165,13 +173,15 @@ def read(text: str) -> list[Target]:
         if m[1] != "MOVC":
             _whole(arc)
             if not _again(out, m[1], T, under):
-                out.append(Target("move_j" if m[1] == "MOVJ" else "move_l", T=T, place=m.start()).under(*under))
+                kind = "move_j" if m[1] == "MOVJ" else "move_l"
+                out.append(Target(kind, T=T, words=words.get(m[2]), place=m.start()).under(*under))
             continue
         arc.append(m[2])
         if len(arc) == 1 and out and not _at(out, T, under):
-            out.append(Target("move_l", T=T, place=m.start()).under(*under))
+            out.append(Target("move_l", T=T, words=words.get(m[2]), place=m.start()).under(*under))
         elif len(arc) == 3:
-            out.append(Target("move_c", T=T, via=places[arc[1]], place=m.start()).under(*under))
+            said = words.get(m[2])
+            out.append(Target("move_c", T=T, via=places[arc[1]], words=said, place=m.start()).under(*under))
             arc = []
     _whole(arc)
     return out

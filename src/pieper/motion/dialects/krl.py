@@ -8,9 +8,9 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, named, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.dialects.target import Words
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 _AXES = ("A1", "A2", "A3", "A4", "A5", "A6")
@@ -47,7 +47,7 @@ def _move(script: Script, move: Move) -> list[str]:
         out.append(f"BAS(#VEL_PTP,{share})")
         target = f"{{{_words(_AXES, script.degrees(move.q))}}}"
         if script.cartesian:
-            said = configuration(script.plan, move.q, "kuka")
+            said = script.configuration(move.q, "kuka")
             target = f"{{{_place(move.T)},S {said.words[0]},T {said.turns[0]}}}"
         out.append(f"PTP {target}{' C_DIS' if move.blend else ''}")
         return out
@@ -88,7 +88,9 @@ def read(text: str) -> list[Target]:
             out.append(Target("move_c", T=places[1], via=places[0], place=m.start(1)).under(tool, frame))
         else:
             kind = "move_j" if m[1] == "PTP" else "move_l"
-            out.append(Target(kind, T=places[0], place=m.start(1)).under(tool, frame))
+            said = named(braces[0], ("S", "T"))
+            words = None if said is None else Words("kuka", (str(int(said[0])),), (int(said[1]),))
+            out.append(Target(kind, T=places[0], words=words, place=m.start(1)).under(tool, frame))
     return out
 
 

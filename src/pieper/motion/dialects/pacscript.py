@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, known_one, listed, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.dialects.target import Words
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 _EVENTS = Events(
@@ -53,7 +54,7 @@ def _move(script: Script, move: Move) -> str:
 
 
 def _place(script: Script, T: Array, q: Array) -> str:
-    figure = configuration(script.plan, q, "denso").words[0]
+    figure = script.configuration(q, "denso").words[0]
     return f"{_six(T)[:-1]}, {figure})"
 
 
@@ -81,17 +82,26 @@ def read(text: str) -> list[Target]:
             taken[what] = known[what].get(k) if own else known_one(what, k, known[what])
             continue
         under = taken["Tool"], taken["Work"]
-        said = [(mark, found(v, 6)) for mark, v in re.findall(r"\b([PJ])\(([^)]*)\)", m[2])]
+        said = [(mark, found(v, 7)) for mark, v in re.findall(r"\b([PJ])\(([^)]*)\)", m[2])]
         kind = {"P": "move_j", "L": "move_l", "C": "move_c"}[m[1].upper()]
         places = [
-            (np.radians(v), None) if mark == "J" else (None, pose(*v[:3], rpy=v[3:], degrees=True, mm=True))
+            (np.radians(v), None) if mark == "J" else (None, pose(*v[:3], rpy=v[3:6], degrees=True, mm=True))
             for mark, v in said
         ]
+        words = _words(said[-1][1]) if said[-1][0] == "P" else None
+        target = Target(kind, *places[-1], words=words, place=m.start(1))
         if kind == "move_c":
-            out.append(Target(kind, *places[1], via=places[0][1], q_via=places[0][0], place=m.start(1)).under(*under))
-        else:
-            out.append(Target(kind, *places[0], place=m.start(1)).under(*under))
+            target = replace(target, via=places[0][1], q_via=places[0][0])
+        out.append(target.under(*under))
     return out
+
+
+def _words(v: list[float]) -> Words | None:
+    """Return what the figure behind the six numbers of a pose says; None where it has none or leaves it open (-1)."""
+    if len(v) < 7 or v[6] < 0:
+        return None
+    figure = int(v[6])
+    return Words("denso", (str(figure),), (figure >> 4 & 1, figure >> 3 & 1))
 
 
 _HAPPENINGS = Happenings(

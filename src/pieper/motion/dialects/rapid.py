@@ -8,9 +8,9 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
-from pieper.motion.dialects.configuration import configuration
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, known_one, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.dialects.target import Words
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 #: Speed of the tool's point that leaves a joint move its full speed, m/s: the language's own `vmax` for most arms.
@@ -85,7 +85,7 @@ def _data(script: Script, number: int, move: Move) -> list[str]:
 
 
 def _robtarget(script: Script, T: Array, q: Array) -> str:
-    said = configuration(script.plan, q, "abb")
+    said = script.configuration(q, "abb")
     words = ",".join(str(turn) for turn in said.turns)
     return f"[{_position(T)},[{words},{said.words[0]}],{_NO_AXES}]"
 
@@ -104,9 +104,11 @@ def read(text: str) -> list[Target]:
     text = without_comments(text, r"!.*")
     joints = {m[1]: np.radians(found(m[2], 6)) for m in re.finditer(r"jointtarget\s+(\w+)\s*:=\s*(\[[^;]*)", text)}
     poses: dict[str, Array] = {}
+    words: dict[str, Words] = {}
     for m in re.finditer(r"robtarget\s+(\w+)\s*:=\s*(\[[^;]*)", text):
-        v = found(m[2], 7)
+        *v, cf1, cf4, cf6, cfx = found(m[2], 11)
         poses[m[1]] = pose(*v[:3], quat_wxyz=v[3:], mm=True)
+        words[m[1]] = Words("abb", (str(int(cfx)),), (int(cf1), int(cf4), int(cf6)))
     tools: dict[str, Array] = {}
     frames: dict[str, Array] = {}
     for m in re.finditer(r"(tooldata|wobjdata)\s+(\w+)\s*:=\s*(\[[^;]*)", text):
@@ -121,11 +123,12 @@ def read(text: str) -> list[Target]:
         if m[1] == "MoveAbsJ":
             out.append(Target("move_j", q=joints[args[0]], place=m.start()).under(*under))
         elif m[1] == "MoveC":
-            out.append(Target("move_c", T=poses[args[1]], via=poses[args[0]], place=m.start()).under(*under))
+            via, end = args[:2]
+            target = Target("move_c", T=poses[end], via=poses[via], words=words[end], place=m.start())
+            out.append(target.under(*under))
         else:
-            out.append(
-                Target("move_j" if m[1] == "MoveJ" else "move_l", T=poses[args[0]], place=m.start()).under(*under)
-            )
+            kind = "move_j" if m[1] == "MoveJ" else "move_l"
+            out.append(Target(kind, T=poses[args[0]], words=words[args[0]], place=m.start()).under(*under))
     return out
 
 

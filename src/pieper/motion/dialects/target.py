@@ -10,6 +10,25 @@ from pieper.motion.instructions import Happening
 from pieper.tolerances import SAME_TOOL_IN_FILE
 
 
+@dataclass(frozen=True)
+class Words:
+    """Configuration words of a target, as its file has them.
+
+    Attributes:
+        maker: Whose they are, as `arm.configuration` takes it.
+        words: As `Configuration.words`.
+        turns: As `Configuration.turns`.
+    """
+
+    maker: str
+    words: tuple[str, ...]
+    turns: tuple[int, ...]
+
+    def __str__(self) -> str:
+        turns = ", ".join(str(turn) for turn in self.turns)
+        return f"{' '.join(self.words)} with turns {turns}"
+
+
 @dataclass(frozen=True, eq=False)
 class Target:
     """What is read back.
@@ -25,6 +44,8 @@ class Target:
         speed: Part of the joints' full speed of a "move_j"; the tool's speed of the others, m/s; None: not said.
         joint_speed: Speed of the fastest joint of a "move_j", rad/s, where the file says that.
         blend: Radius round the target within which the corner is cut, m; None where the file says no radius.
+        words: Which solution of the pose is meant, where the file says it in the maker's words.
+        near: (n,) posture whose nearest solution is meant, where the file says that.
         before: Waits, outputs and gripper values between the target before and this one.
         after: Those behind the last target.
     """
@@ -39,6 +60,8 @@ class Target:
     speed: float | None = None
     joint_speed: float | None = None
     blend: float | None = None
+    words: Words | None = None
+    near: Array | None = None
     before: tuple[Happening, ...] = ()
     after: tuple[Happening, ...] = ()
     place: int = field(default=0, repr=False)

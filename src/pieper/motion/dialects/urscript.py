@@ -100,7 +100,8 @@ def read(text: str) -> list[Target]:
             (q_via, via), (q, T) = places[:2]
             out.append(Target(kind, q, T, via, q_via, place=m.start()).under(*under))
         else:
-            out.append(Target(kind, *places[0], place=m.start()).under(*under))
+            near = places[1][0] if len(places) > 1 else None
+            out.append(Target(kind, *places[0], near=near, place=m.start()).under(*under))
     return out
 
 

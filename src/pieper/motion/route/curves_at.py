@@ -13,8 +13,8 @@ from pieper.motion.route.setting import Setting
 from pieper.solver.redundant.bounded_motion import BoundedMotion, bounded_motion
 from pieper.solver.redundant.self_motions import on_curve
 from pieper.solver.redundant.stops import stops
-from pieper.solver.singular.self_motion import TracedMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
+from pieper.solver.singular.traced_motion import TracedMotion
 
 #: Rows of neighbouring cells that are this near (rad; lengths) are of one curve.
 LINKED = 0.15

@@ -38,10 +38,17 @@ ONE_POSE_AT, ONE_POSE_TRIED = 26, 3
 KEPT_AT = 26
 
 
-def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
-    """Return the verdict where no route was found, where it is blocked, and the reason in a sentence."""
+def refusal(task: Task, thorough: bool) -> tuple[Verdict, Blocked | None, str]:
+    """Return the verdict where no route was found, where it is blocked, and the reason in a sentence.
+
+    Args:
+        task: What was asked.
+        thorough: Whether a proof is looked for along the whole path; else where the way plainly ends, which is quick.
+    """
     setting = task.setting
     if not can_be_followed(setting):
+        if thorough:
+            return _uncertain(task)
         far = beyond_reach(setting) if setting.spare > 1 else None
         return _at_one_pose(task) if far is None else _too_far(task, *far)
     more = task.keep.anything or task.turn_step is not None
@@ -52,17 +59,17 @@ def refusal(task: Task) -> tuple[Verdict, Blocked | None, str]:
     s = _dense(setting.s, STATIONS if setting.spare else DENSE)
     ladder = rungs(setting, cells, s, np.ones(len(s) - 1))
     for limits in _limits(setting):
-        reached = _reached(task, cells, ladder, limits)
-        proof = closely(task, limits, ladder, reached)
-        if proof is not None:
-            return _told(task, ladder, reached, proof)
-    for limits in _limits(setting):
-        proof = anywhere(task, limits)
-        if proof is not None and proof.back:
+        if not thorough:
+            reached = _reached(task, cells, ladder, limits)
+            proof = closely(task, limits, ladder, reached)
+        else:
+            reached, proof = -1, anywhere(task, limits)
+        if proof is None:
+            continue
+        if proof.back:
             turned, from_end = backwards(task), rungs_backwards(ladder)
             return _told(turned, from_end, _reached(turned, cells, from_end, limits), proof)
-        if proof is not None:
-            return _told(task, ladder, _reached(task, cells, ladder, limits), proof)
+        return _told(task, ladder, _reached(task, cells, ladder, limits) if thorough else reached, proof)
     return _uncertain(task)
 
 

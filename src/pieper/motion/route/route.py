@@ -12,8 +12,10 @@ from pieper.kinematics.joints import inside
 from pieper.kinematics.newton import newton
 from pieper.kinematics.pose import PoseLike, inverse, rotation_about, rotation_x
 from pieper.motion.path import checked_path
+from pieper.motion.route.along_front import search_on_front
 from pieper.motion.route.bound import least_motion
 from pieper.motion.route.freedom import Freedom, Verdict
+from pieper.motion.route.front import can_be_followed
 from pieper.motion.route.grid import grid
 from pieper.motion.route.keep import Keep
 from pieper.motion.route.others import Others
@@ -72,8 +74,13 @@ def route(
     found = search(task)
     bound = least_motion(world, cost == TIME)
     if found is None:
-        verdict, blocked, reason = refusal(task)
-        found = search_between(task) if verdict is Verdict.UNCERTAIN else None
+        verdict, blocked, reason = refusal(task, thorough=False)
+        if verdict is Verdict.UNCERTAIN and can_be_followed(world):
+            found = search_on_front(task)
+            if found is None:
+                verdict, blocked, reason = refusal(task, thorough=True)
+        if verdict is Verdict.UNCERTAIN and found is None:
+            found = search_between(task)
         if found is not None:
             return _found(task, asked, plan, free, found)
         none = np.zeros(0)

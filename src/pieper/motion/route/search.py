@@ -115,7 +115,7 @@ def _held(task: Task) -> Found | None:
     found = search(replace(task, setting=there))
     if found is None:
         return None
-    moved = _carried(task, found.x, np.arange(len(found.x), dtype=float))
+    moved = carried(task, found.x, np.arange(len(found.x), dtype=float))
     if moved is None or moved.cost > found.cost:
         return replace(found, slope=np.inf)
     return replace(found, x=moved.x, cost=moved.cost, slope=moved.slope)
@@ -177,26 +177,29 @@ def _upright(task: Task, at: Array) -> Array | None:
     return _between(np.hstack([found.x, np.zeros((len(found.x), 2))]), np.arange(len(found.x), dtype=float), at)
 
 
-def search_between(task: Task) -> Found | None:
-    """Return a route that was made short with points between those of the path too.
-
-    What is cheapest from point to point may change the branch where points are far apart, which is no route.
-    """
+def dense(task: Task, least: int, most: int) -> tuple[Task, int]:
+    """Return the task with so many points from each of the path's to the next that there are `BETWEEN` in all."""
     setting = task.setting
-    each = -(-BETWEEN // (len(setting.path) - 1))
-    if each < 2:
-        return None
+    each = int(np.clip(-(-BETWEEN // (len(setting.path) - 1)), least, most))
     part = np.arange(each) / each
     s = np.append((setting.s[:-1, None] + np.diff(setting.s)[:, None] * part).ravel(), setting.s[-1])
     poses = setting.at(s)
     step = None if task.turn_step is None else np.repeat(task.turn_step / each, each)
     # the axis that is meant is the z of these poses; as they were asked for they serve a bound that is not taken here
-    dense = replace(task, setting=replace(setting, path=poses, asked=poses, s=s), turn_step=step)
-    found = search(dense)
+    return replace(task, setting=replace(setting, path=poses, asked=poses, s=s), turn_step=step), each
+
+
+def search_between(task: Task) -> Found | None:
+    """Return a route that was made short with points between those of the path too.
+
+    What is cheapest from point to point may change the branch where points are far apart, which is no route.
+    """
+    fine, each = dense(task, 1, BETWEEN)
+    found = search(fine) if each > 1 else None
     if found is None:
         return None
     x = found.x[::each]
-    return replace(found, x=x, cost=cost_of(setting, x, task.largest), slope=np.inf)
+    return replace(found, x=x, cost=cost_of(task.setting, x, task.largest), slope=np.inf)
 
 
 def _inside(setting: Setting, ladder: Rungs) -> Bools:
@@ -223,7 +226,7 @@ def climbed_and_carried(task: Task, cells: Grid, ladder: Rungs, slow: Array | No
             continue
         way = _climbed(task, cells, ladder, at, spot, wider)
         for place, x in _shortest_first(task, way, at, slow):
-            found = _carried(task, x, place)
+            found = carried(task, x, place)
             if found is not None:
                 return found
         if widest == 0.0 and spot:
@@ -292,7 +295,7 @@ def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool, wide
     return None
 
 
-def _carried(task: Task, x: Array, place: Array) -> Smoothed | None:
+def carried(task: Task, x: Array, place: Array) -> Smoothed | None:
     """Return points x (k, m) at places (k,) carried to all points, made short, if that is a continuous route inside."""
     setting = task.setting
     N = len(setting.path)

@@ -16,8 +16,9 @@ from pieper.motion.route.front import Ended, Front, everything_at, follow
 from pieper.motion.route.ladder import Rungs
 from pieper.motion.route.search import Task
 
-#: Steps, in those that the bounds allow, with which an end is looked for without proof.
-ROUGH = 2.5
+#: Steps, in those that the bounds allow, with which an end is looked for without proof: at first, and along the whole
+#: path where none is found with these. A gap that is less than a tenth of a step wide is not seen.
+ROUGH, CLOSER = 2.5, (2.5, 1.05)
 #: Places at which a rough front is begun; points it may look at, and as many more for each point it begins with.
 PLACES, SCOUTED, SCOUTED_EACH = 11, 60_000, 40
 #: How far behind the end of a rough front a proof may go on, as a part of the path.
@@ -86,37 +87,43 @@ def scouted(task: Task, limits: Array) -> Iterator[Window]:
         task: What is asked.
         limits: (m, 2) that are kept.
     """
+    for rough in CLOSER:
+        yield from _scouted(task, limits, rough)
+
+
+def _scouted(task: Task, limits: Array, rough: float) -> Iterator[Window]:
+    """Yield the windows of `scouted` that a front of some steps shows."""
     back = backwards(task)
     found: list[tuple[int, float, float, bool]] = []
     for place in np.linspace(0.0, 1.0, PLACES).tolist():
         for way, first in ((task, place), (back, 1.0 - place)):
-            front = None if first == 1.0 else _dies(way, limits, first)
+            front = None if first == 1.0 else _dies(way, limits, first, rough)
             if front is not None:
                 found.append((front.looked, first, front.s, way is back))
     kept: list[tuple[int, float, float, bool]] = []
     for window in sorted(found):
         if all(window[3] != other[3] or abs(window[2] - other[2]) > APART for other in kept):
             kept.append(window)
-    near = [_later(back if window[3] else task, limits, window) for window in kept[:MOST]]
+    near = [_later(back if window[3] else task, limits, window, rough) for window in kept[:MOST]]
     for fine, most in TRIED:
         for first, last, backward in near:
             yield Window(first, min(last + ON, 1.0), fine, most, backward)
 
 
-def _dies(way: Task, limits: Array, first: float) -> Front | None:
+def _dies(way: Task, limits: Array, first: float, rough: float) -> Front | None:
     """Return the rough front that is begun at a place where it does not get through; None where it does."""
     seeds = known(way, limits, first)
-    front = follow(way.setting, limits, seeds, (first, 1.0), ROUGH, SCOUTED + SCOUTED_EACH * len(seeds))
+    front = follow(way.setting, limits, seeds, (first, 1.0), rough, SCOUTED + SCOUTED_EACH * len(seeds))
     return front if front.ended is Ended.DIED or misses_end(way, front) else None
 
 
-def _later(way: Task, limits: Array, window: tuple[int, float, float, bool]) -> tuple[float, float, bool]:
+def _later(way: Task, limits: Array, window: tuple[int, float, float, bool], rough: float) -> tuple[float, float, bool]:
     """Return from where, as near to the end as it still dies there, and to where, a front has least to do."""
     _, first, last, backward = window
     beyond = min(first + 1 / (PLACES - 1), last)
     for _ in range(LATER):
         middle = (first + beyond) / 2
-        front = _dies(way, limits, middle)
+        front = _dies(way, limits, middle, rough)
         if front is not None and abs(front.s - last) < APART:
             first, last = middle, front.s
         else:

@@ -188,6 +188,12 @@ class Plan:
         return self.reduction.trivial and self.nominal is self.chain and self.uncoupled is None
 
     @cached_property
+    def whole(self) -> bool:
+        """Whether the six joints are the arm's and its task's own, as described: none is held, filled up or coupled."""
+        own = not (self.reduction.locked or self.reduction.fill)
+        return own and self.nominal is self.chain and self.uncoupled is None
+
+    @cached_property
     def immediate(self) -> bool:
         """Whether the native solver's rows are the answer but for locked columns: nothing filled, polished or cut."""
         reduction = self.reduction

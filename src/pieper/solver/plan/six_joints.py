@@ -264,7 +264,7 @@ def holding(way: Reduction, locked: tuple[int, ...]) -> Reduction | None:
 
 
 def refilled(way: Reduction) -> tuple[Reduction, ...]:
-    """Return the same arm and task filled with other virtual joints, turns and slides along no special directions.
+    """Return the same arm and task filled with other virtual joints along no special directions: turns, slides, both.
 
     Where the arm itself is regular the six joints may be singular all the same, as a virtual joint lies along what the
     arm can do there. Round postures and level hands do that to joints along the tool's own axes, not to these.
@@ -272,7 +272,7 @@ def refilled(way: Reduction) -> tuple[Reduction, ...]:
     if not way.fill or way.locked:
         return ()
     count, sliding = len(way.fill), int(way.full.prismatic.sum())
-    kinds = (False, True) if count + sliding <= 3 else (False, False)
+    kinds = (False, True, None) if count + sliding <= 3 else (False, False, None)
     return tuple(
         replace(way, fill=_filling(way.full, count, True, seed=11 + k, only=p), fill_at=None)
         for k, p in enumerate(kinds)

@@ -11,7 +11,8 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.newton import newton
 from pieper.solver.redundant.box import box, closest, descended
-from pieper.solver.singular.self_motion import FREE, SelfMotion, TracedMotion
+from pieper.solver.singular.self_motion import FREE, SelfMotion
+from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import BOUNDED_ON_CURVE, BOUNDED_PRECISE, CLOSES, CURVE_RANK, NEAR_POLYLINE, ROUNDING, TINY
 
 #: Halvings that place where a curve leaves the limits between two samples: from 0.12 rad to rounding.

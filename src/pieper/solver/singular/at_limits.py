@@ -8,9 +8,10 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.joints import short_way
-from pieper.kinematics.newton import missed, newton, null_space
+from pieper.kinematics.newton import missed, newton, null_space, scaled_jacobian
 from pieper.solver.redundant.bounded_motion import BESIDE_CHORD, bounded_motion
 from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import CURVE_RANK, LINE_OF_SLIDES, NO_END, ON_CURVE
 
 #: Halvings of a golden section that place where a joint turns back: its value is exact to rounding then.
@@ -19,7 +20,7 @@ HALVINGS = 30
 
 def at_limits(motion: SelfMotion) -> SelfMotion:
     """Return a self-motion whose intervals inside the limits are exact: a single point that is left is one of them."""
-    if motion.dimension > 1 or len(motion.samples) < 2:
+    if not isinstance(motion, TracedMotion) or motion.dimension > 1 or len(motion.samples) < 2:
         return motion
     ends = [np.zeros((0, motion.chain.n))]
     for joint in motion.free:
@@ -55,6 +56,18 @@ def slides_freely(chain: Chain, q: Array) -> bool:
     """Whether only slides move along what is free at q (n,): the self-motion is a straight line then."""
     free = null_space(chain, q)[1][-1]
     return bool(chain.prismatic.any() and np.abs(free[~chain.prismatic]).max(initial=0.0) < LINE_OF_SLIDES)
+
+
+def way_of_slides(chain: Chain, q: Array) -> Array | None:
+    """Return the unit direction (n,), without units, in which slides make up for each other at q (n,); None if none."""
+    way, slides = np.zeros(chain.n), np.flatnonzero(chain.prismatic)
+    if not len(slides):
+        return None
+    _, s, Vt = np.linalg.svd(scaled_jacobian(chain, q)[:3, slides], full_matrices=True)
+    if len(slides) <= len(s) and s[-1] > LINE_OF_SLIDES:
+        return None
+    way[slides] = Vt[-1]
+    return way * np.sign(way[np.argmax(np.abs(way))])
 
 
 def drawn_in(chain: Chain, q: Array, T: Array) -> Array:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
-from pieper.kinematics.newton import missed, newton, singular_values
+from pieper.kinematics.chain import Chain
+from pieper.kinematics.newton import downhill, missed, newton, singular_values
 from pieper.solver.arm_rows import arm_rows
 from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
@@ -15,18 +16,22 @@ from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.rows import Flag
 from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
 from pieper.solver.singular.examined import Examined
+from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import (
+    APPROACH_DAMPING,
     CAREFUL_ASIDE,
     CLEARLY_REGULAR,
     NEARLY_ZERO,
+    PLAIN_MISS,
     SAME_AFTER_CUT,
     SAME_VOUCHED,
     SLOW_RANK,
     SURE_ASIDE,
+    UNFOLDING_WIDEST,
 )
 
 #: Postures all over the joints' ranges from which a singular pose is sought that nothing else leads to.
-ALL_OVER = 200
+ALL_OVER = 80
 #: Poses beside one that vouch for it: more directions than a double root can hide in.
 VOUCHING = 6
 
@@ -54,13 +59,38 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     full, own = plan.exact.full, plan.exact.full.n == plan.n
     known = rows if own and not plan.reduction.fill else _holding(plan, T)
     most = plan.max_solutions if own else None
-    found = looked_at(plan, T, np.concatenate([rows, known]) if own and known is not rows else known, most=most)
-    if not len(found.q):
-        # nothing leads there from poses beside: from postures all over
-        anywhere = newton(full, sample_joints(full, ALL_OVER), T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
-        anywhere = anywhere[missed(full, anywhere, T) < HOLDS]
-        found = looked_at(plan, T, anywhere, most=most) if len(anywhere) else found
+    known = np.concatenate([rows, known]) if own and known is not rows else known
+    found = looked_at(plan, T, known, most=most)
+    # a self-motion that leaves poses beside in one and the same direction has no point near any of them
+    anywhere = _from_all_over(full, T)
+    more = anywhere[~_is_told(plan, found, anywhere)]
+    found = looked_at(plan, T, np.concatenate([known, more]), most=most) if len(more) else found
     return (found if own else _own(plan, found)).within(plan.max_solutions)
+
+
+def _from_all_over(full: Chain, T: Array) -> Array:
+    """Return joint vectors (m, joints) that hold T, from postures all over the joints' ranges."""
+    q, _ = downhill(
+        full,
+        sample_joints(full, ALL_OVER),
+        T,
+        steps=SLOW_STEPS,
+        weights=np.ones(6),
+        damping=APPROACH_DAMPING,
+        relative=lambda J, square: square,
+    )
+    q = newton(full, q, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
+    return q[missed(full, q, T) < HOLDS]
+
+
+def _is_told(plan: Plan, found: Examined, q: Array) -> Bools:
+    """Return which joint vectors q (m, joints) are one of the rows found or lie on a self-motion."""
+    told = np.zeros(len(q), bool)
+    if len(found.q):
+        told |= plan.exact.full.joints.apart(q[:, None], found.q[None]).min(1) < SAME_VOUCHED
+    for motion in found.self_motions:
+        told |= motion.distances(q) < UNFOLDING_WIDEST  # where it is crossed its points are known as little
+    return told
 
 
 def looked_at(
@@ -144,8 +174,8 @@ def sure_beside(plan: Plan, poses: Array) -> Bools:
 
 
 def _certain_beside(plan: Plan, T: Array) -> Array | None:
-    """Return the solutions (m, n) of as many poses beside T as vouch, the nearest that are certain; None if too few."""
-    count, rows = 0, [np.empty((0, plan.n))]
+    """Return the solutions (m, 6) of as many poses beside T as vouch, the nearest that are certain; None if too few."""
+    count, rows = 0, [np.empty((0, 6))]
     for size in SURE_ASIDE:
         q, valid, _, flags = plan.solver.many(np.ascontiguousarray(side_steps(plan.chain, T, (size,))), 1)
         certain = np.flatnonzero((flags & Flag.UNCERTAIN) == 0)[: VOUCHING - count]
@@ -172,15 +202,16 @@ def settled(plan: Plan, T: Array, found: Examined, flag: int) -> int:
     More branches than a six-joint arm can have, merged ones counted, are not believed: so near to an arm on which
     whole curves cross, a root is none of so many.
     """
-    if not plan.direct or found.self_motions:
+    if not plan.whole:
         return flag
-    if found.multiplicity.sum() > plan.max_solutions:
+    if plan.direct and not found.self_motions and found.multiplicity.sum() > plan.max_solutions:
         return flag | int(Flag.UNCERTAIN)
-    return flag & ~int(Flag.UNCERTAIN) if flag & Flag.UNCERTAIN and vouched(plan, T, found.q) else flag
+    doubted = flag & Flag.UNCERTAIN and not vouched(plan, T, found.q, found.self_motions)
+    return flag if doubted else flag & ~int(Flag.UNCERTAIN)
 
 
-def vouched(plan: Plan, T: Array, rows: Array) -> bool:
-    """Whether six poses beside T, each solved for certain, have no other solutions than rows (m, n).
+def vouched(plan: Plan, T: Array, rows: Array, motions: Sequence[SelfMotion] = ()) -> bool:
+    """Whether six poses beside T, each solved for certain, have no other solutions than rows (m, n) and self-motions.
 
     A solution of T in a regular posture has one of every pose beside it, near its own; a merged root of some of them.
     So what they lead back to is all there is, whatever the other poses beside T are solved like, where Newton's method
@@ -191,11 +222,12 @@ def vouched(plan: Plan, T: Array, rows: Array) -> bool:
     beside = _certain_beside(plan, T)
     if beside is None or not len(beside):
         return False
-    back = newton(plan.chain, beside, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
-    back = back[missed(plan.chain, back, T) < HOLDS]
-    if not len(rows):
-        return not len(back)
-    return bool(np.all(plan.chain.joints.apart(back[:, None], rows[None]).min(1) < SAME_VOUCHED))
+    full = plan.exact.full
+    back = newton(full, beside, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
+    back = back[missed(full, back, T) < HOLDS][:, : plan.n]
+    if len(rows):
+        back = back[plan.chain.joints.apart(back[:, None], rows[None]).min(1) >= SAME_VOUCHED]
+    return all(any(motion.contains(q, SAME_VOUCHED) for motion in motions) for q in back)
 
 
 def counted_by_special(plan: Plan, T: Array, rows: Array) -> bool:
@@ -230,7 +262,13 @@ def overlooked(plan: Plan, poses: Array) -> Bools:
     for solver, real in ((plan.solver, plan.reduction.real), *plan.refilled):
         q, valid, _, flags = solver.many(every, 1)
         virtual = np.setdiff1d(np.arange(6), real)
-        zero = np.all(np.abs(q[..., virtual]) < NEARLY_ZERO * solver.chain.joints.unit[virtual], axis=-1)
+        off = np.abs(q[..., virtual] / solver.chain.joints.unit[virtual]).max(-1)
         marked = (flags & (Flag.DEGENERATE | Flag.UNCERTAIN)) > 0
-        found |= np.any((valid & (zero | marked[:, None])).reshape(len(poses), -1), axis=1)
+        leads = valid & ((off < NEARLY_ZERO) | marked[:, None])
+        # so far from where two merge a posture that misses the pose by so little has no solution near it but its own,
+        # and that has been looked for
+        plain = leads & ~marked[:, None]
+        s = singular_values(plan.exact.full, q[plain][:, real])
+        leads[plain] = off[plain] + CAREFUL_ASIDE > PLAIN_MISS * (s[:, -1] / s[:, 0]) ** 2
+        found |= np.any(leads.reshape(len(poses), -1), axis=1)
     return found

@@ -19,21 +19,25 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space, singular_values
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.singular import near_curve
-from pieper.solver.singular.at_limits import at_limits, drawn_in, leads_away
+from pieper.solver.singular.at_limits import at_limits, drawn_in, leads_away, way_of_slides
 from pieper.solver.singular.examined import Examined, told
+from pieper.solver.singular.line_of_slides import SlideLine
 from pieper.solver.singular.merged_roots import distinct_roots, into_limits, merged_root
-from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
+from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
+from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import (
     APART_SINGULAR,
     APPROACH_SIZES,
     CURVE_FAR,
+    CURVE_RANK,
     DOUBLES_FROM_CURVE,
     ENDS_ON_CURVE,
     FLAT_REST,
     HOLDS,
     HOLDS_EXACTLY,
     ISOLATED_FROM_CURVE,
+    LINE_OF_SLIDES,
     NEARLY_SINGULAR,
     ON_CURVE,
     ON_NEAR_POLYLINE,
@@ -130,11 +134,13 @@ def examine(
     merged = [q for q in merged if not curves.meet(q, ON_POLYLINE)]
     if curves.lines:
         merged = [q for q in merged if second_smallest(chain, q) > SINGULAR_EXAMINED]
-    doubles = distinct_roots(chain, [merged_root(chain, q, T)[0] for q in (*doubles, *merged)], T)
+    placed = [merged_root(chain, q, T) for q in (*doubles, *merged)]
+    branches = {root.tobytes(): count for root, count in placed}
+    doubles = distinct_roots(chain, [root for root, _ in placed], T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
     if most is not None and len(doubles) + len(isolated) > most:
         doubles = _exact_ones(curves, doubles, most - len(isolated))
-    pairs = [merged_root(chain, q, T)[1] for q in doubles]
+    pairs = [branches[q.tobytes()] for q in doubles]
     doubles = [into_limits(chain, q, T, limits) for q in doubles]
     return told(chain, isolated, doubles, pairs, [at_limits(motion) for motion in curves.closed])
 
@@ -164,10 +170,10 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
     """
     doubles: list[Array] = []
     hidden: list[Array] = []
-    miss, several = _probed(curves, starts)
+    miss, several, blurred = _probed(curves, starts)
     for index, q in enumerate(starts):
         on_curve = curves.lines >= MOST_LINES if several[index] else curves.meet(q, ENDS_ON_CURVE)
-        if not on_curve and (several[index] or miss[index] < 10 * ON_CURVE):
+        if not on_curve and (several[index] or blurred[index] or miss[index] < 10 * ON_CURVE):
             on_curve = _grow(curves, q)
         if curves.hiding and not on_curve and miss[index] < CURVE_FAR:
             hidden += _hiding(curves, q)
@@ -176,24 +182,25 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
     return doubles, hidden
 
 
-def _probed(curves: _Curves, starts: Array) -> tuple[Array, Bools]:
+def _probed(curves: _Curves, starts: Array) -> tuple[Array, Bools, Bools]:
     """Return how well the pose can be held a little way along each start's null direction (N,), all at once.
 
-    And whether two directions vanish there (N,).
+    And whether two directions vanish there (N,), and whether they nearly do (N,): a point may be so far off then that
+    the pose is not held beside it where it is beside the true one.
     """
     chain = curves.chain
     if not len(starts):
-        return np.zeros(0), np.zeros(0, bool)
+        return np.zeros(0), np.zeros(0, bool), np.zeros(0, bool)
     s, Vt = null_space(chain, starts)
     unit, last = chain.joints.unit, min(chain.n, 6) - 1
-    several = s[:, last - 1] <= SINGULAR_EXAMINED * s[:, 0] if last else np.zeros(len(starts), bool)
+    second = s[:, last - 1] / s[:, 0] if last else np.ones(len(starts))
     step = PROBE * Vt[:, last] * unit
     probes = np.concatenate([starts + step, starts - step])
     there = near_curve.onto(chain, probes, curves.T, 5)
     gone = np.linalg.norm((there.q - np.concatenate([starts, starts])) / unit, axis=1)
     held = (gone > 0.5 * PROBE) & (there.rest < np.maximum(PROBE_REST * np.abs(there.miss), HOLDS))
     miss = np.where(held, np.abs(there.miss), np.inf).reshape(2, -1).min(0)
-    return miss, several
+    return miss, second <= SINGULAR_EXAMINED, second <= NEARLY_SINGULAR
 
 
 def _hiding(curves: _Curves, q: Array) -> list[Array]:
@@ -230,15 +237,27 @@ def _grow(curves: _Curves, q: Array) -> bool:
                 continue
             if any(other.distance(further) < ON_POLYLINE for other in curves.open_ended):
                 continue
-            motion = _line(curves, point, further, MOST_STEPS)
+            motion = _slides(curves, point, further) or _line(curves, point, further, MOST_STEPS)
             # only slides lead away without end: what does not close otherwise only came near a singular pose
-            if not motion.closed and not leads_away(motion):
+            if not motion.closed and not isinstance(motion, SlideLine) and not leads_away(motion):
                 curves.open_ended.append(motion)
                 continue
             found = True
             curves.closed.append(motion)
             waiting += crossings(motion)
     return found
+
+
+def _slides(curves: _Curves, point: Array, further: Array) -> SlideLine | None:
+    """Return the line through two points that hold the pose where slides alone move between them."""
+    chain, unit = curves.chain, curves.chain.joints.unit
+    way, gone = way_of_slides(chain, point), (further - point) / unit
+    if way is None or abs(gone @ way) < (1 - LINE_OF_SLIDES) * np.linalg.norm(gone):
+        return None
+    nearest = newton(chain, point - float(way @ (point / unit)) * way * unit, curves.T, steps=12, cutoff=CURVE_RANK)
+    if missed(chain, nearest, curves.T) > ON_CURVE:
+        return None
+    return SlideLine(chain, curves.T, curves.limits, curves.names, curves.shown, nearest, way)
 
 
 def _line(curves: _Curves, point: Array, further: Array, steps: int = LINE_STEPS) -> SelfMotion:
@@ -260,7 +279,8 @@ def _line(curves: _Curves, point: Array, further: Array, steps: int = LINE_STEPS
 def _directions(chain: Chain, q: Array) -> list[Array]:
     """Return directions in which a pose might be held at q; where two vanish at once, a fan of their mixtures."""
     s, Vt = null_space(chain, q)
-    null = Vt[s <= max(SINGULAR_EXAMINED * s[0], TINY)]
+    # near a crossing the second direction is only nearly free, and the curve's own tangent may be it
+    null = Vt[s <= max(NEARLY_SINGULAR * s[0], TINY)]
     if len(null) < 2:
         return list(null)
     angles = np.arange(FAN) * np.pi / FAN

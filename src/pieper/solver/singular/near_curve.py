@@ -18,6 +18,7 @@ from pieper.tolerances import (
     CURVE_FAR,
     CURVE_STEEP,
     CURVE_WEAK,
+    LINE_OF_SLIDES,
     NEAR_CURVE_HOLDS,
     NEAR_CURVE_ROUNDING,
     NEAR_CURVE_SHORTEST,
@@ -86,8 +87,14 @@ class NearCurve:
 
 
 def follow(chain: Chain, q: Array, T: Array) -> NearCurve:
-    """Follow the curve through q (n,) both ways until it closes, turns steep or misses the pose by too much."""
+    """Follow the curve through q (n,) both ways until it closes, turns steep or misses the pose by too much.
+
+    Where slides alone move along it, it is a straight line without end and what is missed changes by an equal part a
+    length: Newton's method from its first point finds the solution on it, if there is one.
+    """
     start = onto(chain, q[None], T)
+    if np.abs(start.null[0][~chain.prismatic]).max(initial=0.0) < LINE_OF_SLIDES and chain.prismatic.any():
+        return NearCurve(start.q, start.miss, start.left, False)
     points, closed = _walk(chain, start, T, 1.0)
     if not closed:
         points = _walk(chain, start, T, -1.0)[0][:0:-1] + points

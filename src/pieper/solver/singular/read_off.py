@@ -22,7 +22,8 @@ from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.in_one_line import LineMotion
 from pieper.solver.singular.linkage_motion import LinkageMotion
 from pieper.solver.singular.merged_roots import null_direction
-from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
+from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.traced_motion import TracedMotion
 
 
 def examined(plan: Plan, T: Array, read: Read) -> Examined:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -347,15 +346,18 @@ class SelfMotion:
                     break
         return False
 
+    @property
+    def bounded(self) -> bool:
+        """Whether what does not close ends somewhere: slides without limits lead away for ever."""
+        free = list(self.free)
+        return bool(np.isfinite(self.limits[free]).any() or not self.chain.prismatic[free].any())
+
     def __repr__(self) -> str:
         return f"<SelfMotion of {', '.join(self.names)}: {('open', 'closed')[self.closed]}, dimension {self.dimension}>"
 
     def __str__(self) -> str:
         moving, relation = [self.names[j] for j in self.free], self.relation
-        bounded = bool(
-            np.isfinite(self.limits[list(self.free)]).any() or not self.chain.prismatic[list(self.free)].any()
-        )
-        where = "all the way round" if self.closed else "between two ends" if bounded else "without an end"
+        where = "all the way round" if self.closed else "between two ends" if self.bounded else "without an end"
         text = f"{', '.join(moving)} {'moves' if len(moving) == 1 else 'move together'} {where}" + (
             f" with {relation}" if relation else ""
         )
@@ -379,22 +381,3 @@ class SelfMotion:
 CLOSING = 12
 #: Halvings that place a joint's value between two samples to rounding.
 HALVINGS = 48
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class TracedMotion(SelfMotion):
-    """A self-motion that was followed step by step; see SelfMotion for its attributes."""
-
-    chain: Chain
-    T: Array
-    traced: Array
-    closed: bool
-    dimension: int
-    limits: Array
-    names: tuple[str, ...]
-    shown: int
-
-    @cached_property
-    def samples(self) -> Array:
-        """(k, n) the points that were followed."""
-        return self.traced

@@ -9,7 +9,8 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.newton import missed, newton, newton_on_plane, null_space, singular_values
-from pieper.solver.singular.self_motion import SelfMotion, TracedMotion
+from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import (
     CROSSING_CHANGE,
     CROSSING_FOUND,
@@ -101,12 +102,12 @@ def crossings(motion: SelfMotion) -> list[Array]:
     second = second_smallest(chain, samples)
     found: list[Array] = []
     last = len(samples) - 1
-    for i in range(len(samples)):
-        # at a crossing the value falls to zero like |s - s0|: less than one and a half times what a step changes
-        around = second[[(i + k) % last if motion.closed else min(max(i + k, 0), last) for k in (-2, -1, 1, 2)]]
-        change = max(abs(around[0] - around[1]), abs(around[3] - around[2]))
-        if second[i] > min(around) or second[i] > 1.5 * change + CROSSING_CHANGE:
-            continue
+    index = np.arange(len(samples))[:, None] + np.array([-2, -1, 1, 2])
+    around = second[index % last if motion.closed else np.clip(index, 0, last)]
+    # at a crossing the value falls to zero like |s - s0|: less than one and a half times what a step changes
+    change = np.maximum(np.abs(around[:, 0] - around[:, 1]), np.abs(around[:, 3] - around[:, 2]))
+    low_enough = (second <= around.min(1)) & (second <= 1.5 * change + CROSSING_CHANGE)
+    for i in np.flatnonzero(low_enough):
         low, high = float(motion.u[max(i - 1, 0)]), float(motion.u[min(i + 1, last)])
         u = least_at(lambda u: float(second_smallest(chain, motion.point(u))), low, high, HALVINGS)
         point = motion.point(u)

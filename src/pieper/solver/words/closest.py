@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.bounded import as_axes, by_axes, nearer
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
-from pieper.kinematics.newton import scaled_jacobian, settled, shortest
+from pieper.kinematics.newton import pose_difference, scaled_jacobian, settled, shortest
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.results import Closest, Solutions
@@ -45,6 +46,8 @@ LED_BACK = 2
 ALIKE = 3
 #: Steps onto the position alone, from where a turn counted next to nothing.
 LAST_STEPS = 8
+#: The postures looked at of each plan and their poses, as long as the plan is held.
+_LOOKED_AT: WeakKeyDictionary[Plan, tuple[Array, Array]] = WeakKeyDictionary()
 
 
 def closest_to(plan: Plan, sols: Solutions) -> Closest:
@@ -74,7 +77,10 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     """
     turning = plan.task != "position"
     chain = plan.exact.full if turning else plan.chain
-    hill = _Hill(chain, plan.full_limits if turning else plan.limits, T)
+    limits = plan.full_limits if turning else plan.limits
+    if plan not in _LOOKED_AT:
+        _LOOKED_AT[plan] = _looked_at(chain, limits)
+    hill = _Hill(chain, limits, T, *_LOOKED_AT[plan])
     given = np.empty((0, plan.n)) if seeds is None else seeds
     given = np.pad(given, ((0, 0), (0, chain.n - plan.n)))
     if weights is not None:
@@ -86,6 +92,11 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     else:
         q = hill.onto_place(hill.found(given, turning))
     value, angle = hill.distances(q)
+    if weights is None and turning and value.min() < ALIKE_NEAR and angle.min() < ALIKE_TURN:
+        # where two postures are about to be one, what rounding lets the position be leaves the turn open by its root
+        near = q[(value < ALIKE_NEAR) & (angle < ALIKE_TURN)]
+        q = np.vstack([q, hill.onto_pose(near)])
+        value, angle = hill.distances(q)
     alike = np.flatnonzero(value <= value.min() + ALIKE_NEAR)
     own = q[alike[np.argmin(angle[alike])] if turning else np.argmin(value), : plan.n]
     miss = plan.residual(own, T)
@@ -110,28 +121,29 @@ def _weighed(plan: Plan, weights: ArrayLike) -> float:
 
 @dataclass(frozen=True, slots=True)
 class _Hill:
-    """What is descended: how far a chain is from a pose (4, 4) inside limits (n, 2)."""
+    """What is descended: how far a chain is from a pose (4, 4) inside limits (n, 2), and postures to begin from."""
 
     chain: Chain
     limits: Array
     T: Array
+    looked: Array
+    there: Array
 
     def starts(self, turn: float) -> Array:
         """Return postures (k, n) that are good where a turn counts so much."""
-        q, there = _looked_at(self.chain, self.limits.tobytes())
-        return q[np.argsort(_cost(*_distances(self.chain, there, self.T), turn), kind="stable")[:STARTS]]
+        away = _distances(self.chain, self.there, self.T)
+        return self.looked[np.argsort(_cost(*away, turn), kind="stable")[:STARTS]]
 
     def found(self, given: Array, turning: bool) -> Array:
         """Return postures (k, n) of which one comes nearest, its position to a few steps; `given` (m, n) begin too."""
-        q, there = _looked_at(self.chain, self.limits.tobytes())
         coupling, limits = by_axes(self.chain, self.limits)
         return _kernel.closest(
             self.chain.plain,
             coupling=coupling,
             lower=limits[:, 0],
             upper=limits[:, 1],
-            q=as_axes(self.chain, q),
-            poses=there,
+            q=as_axes(self.chain, self.looked),
+            poses=self.there,
             seeds=as_axes(self.chain, given),
             T=self.T,
             turning=turning,
@@ -170,12 +182,29 @@ class _Hill:
         def slope(at: Array, index: Indices) -> Array:
             return np.where(held[index, None], 0.0, scaled_jacobian(self.chain, at)[:, :3])
 
-        unit, step = self.chain.joints.unit, shortest(PULLED_RANK)
-        exact, _ = settled(miss, slope, start, unit, steps=LAST_STEPS, longest=ALIKE_TURN, step=step)
-        exact = np.clip(exact, lower, upper)
+        exact = np.clip(self._newton(miss, slope, start), lower, upper)
         better = self.distances(exact)[0] < value[some]
         q[some[better]] = exact[better]
         return q
+
+    def onto_pose(self, q: Array) -> Array:
+        """Return postures (k, n) moved to where what is missed of the whole pose is least."""
+        lower, upper = self.limits.T
+        held = (q <= lower) | (q >= upper)
+
+        def miss(at: Array, _index: Indices) -> Array:
+            return pose_difference(self.chain, at, self.T)
+
+        def slope(at: Array, index: Indices) -> Array:
+            return np.where(held[index, None], 0.0, scaled_jacobian(self.chain, at))
+
+        return np.clip(self._newton(miss, slope, q), lower, upper)
+
+    def _newton(
+        self, miss: Callable[[Array, Indices], Array], slope: Callable[[Array, Indices], Array], q: Array
+    ) -> Array:
+        unit, step = self.chain.joints.unit, shortest(PULLED_RANK)
+        return settled(miss, slope, q, unit, steps=LAST_STEPS, longest=ALIKE_TURN, step=step)[0]
 
 
 def _cost(value: Array, angle: Array, turn: float) -> Array:
@@ -191,10 +220,8 @@ def _distances(chain: Chain, there: Array, T: Array) -> tuple[Array, Array]:
     return way / chain.length, 2 * np.arcsin(np.sqrt(np.minimum(chord / 8, 1.0)))
 
 
-@lru_cache(maxsize=64)
-def _looked_at(chain: Chain, limited: bytes) -> tuple[Array, Array]:
+def _looked_at(chain: Chain, limits: Array) -> tuple[Array, Array]:
     """Return postures (k, n) spread evenly over the limits, else over a turn, or two lengths; and their poses."""
-    limits = np.frombuffer(limited).reshape(-1, 2)
     reach = np.where(chain.prismatic, chain.length, np.pi)
     low, high = np.isfinite(limits[:, 0]), np.isfinite(limits[:, 1])
     lower = np.where(low, limits[:, 0], np.where(high, limits[:, 1] - 2 * reach, -reach))

@@ -138,3 +138,10 @@ CURVE_OVER = 0.1
 NEARLY_SINGULAR = 1e-3
 #: A curve ends where a step shorter than this (rad; per length) does not go on.
 NEAR_CURVE_SHORTEST = 1e-3
+#: Newton's method from anywhere: its damping beside the square of what is missed, at the least, and what a point may
+#: miss that it has come to (per length; rad).
+ALL_OVER_DAMPING, ALL_OVER_LEAST = 1e-3, 1e-13
+ALL_OVER_HOLDS = 1e-11
+#: Of mixtures of two free directions the least that is missed to second order, as a part of the most, where none leads
+#: away: a mixture that does is met within half a step of their fan, where an eighth is missed.
+MIXTURE_MISSES = 0.15

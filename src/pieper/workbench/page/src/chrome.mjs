@@ -9,6 +9,7 @@ import { sentence, countWords } from './library.mjs';
 import { catalogueDialog } from './catalogue.mjs';
 import { lookChoice } from './look_choice.mjs';
 import { present, savePicture } from './room.mjs';
+import { layout } from './layout.mjs';
 import { look, ground } from './scene/view.mjs';
 import { fitArm, frameName, setTracing, clearTrace } from './scene/arm.mjs';
 import { axisColours } from './scene/frames.mjs';
@@ -133,6 +134,7 @@ async function open(name) {
     const { table } = await ask('load', { name });
     setTable(table, { q: presentable(table), what: 'new', label: `open ${name}` });
   } catch (error) {
+    tell('catalog'); // the picker names the arm that is shown
     say(error.message, 'wrong');
   }
 }
@@ -140,7 +142,7 @@ async function open(name) {
 /** Tabs down the side; `move` holds Joints and Pose, which stay pinned on a wide screen. */
 export function rail(root, host, pinned, panels) {
   const tabs = h('div', { role: 'tablist', 'aria-orientation': 'vertical', class: 'tabs' });
-  const wide = matchMedia('(min-width: 1700px)');
+  const wide = () => layout() === 'pinned';
   root.append(tabs);
   const scrolled = new Map();
   const built = panels.map((p) => {
@@ -163,11 +165,11 @@ export function rail(root, host, pinned, panels) {
     return { ...p, panel, tab };
   });
   function show(id) {
-    if (wide.matches && id === 'move') id = 'inverse';
+    if (wide() && id === 'move') id = 'inverse';
     scrolled.set(state.panel, host.scrollTop);
     state.panel = id;
     for (const b of built) {
-      const pin = wide.matches && b.id === 'move';
+      const pin = wide() && b.id === 'move';
       const yes = b.id === id || pin;
       (pin ? pinned : host).append(b.panel);
       b.panel.hidden = !yes;
@@ -192,9 +194,7 @@ export function rail(root, host, pinned, panels) {
     show(next.id);
     next.tab.focus();
   });
-  wide.addEventListener('change', () =>
-    show(state.panel === 'move' || !built.some((b) => b.id === state.panel) ? 'move' : state.panel),
-  );
+  on('layout', () => show(state.panel === 'move' || !built.some((b) => b.id === state.panel) ? 'move' : state.panel));
   show(state.panel);
   return show;
 }

@@ -127,11 +127,21 @@ export function curvePlot(host, motion, { y, list }, { withLimits, pick }) {
   /** Put the line of the present point and the marks of the events where they belong. */
   function point(k = index) {
     index = k;
-    const width = plot.over.clientWidth;
+    const width = plot.over.clientWidth,
+      taken = []; // pixels from and to that words of events stand over, line by line
     for (const el of plot.over.querySelectorAll('.now, .event')) {
-      const x = plot.valToPos(el.x ?? motion.xs[index], 'x');
+      const x = plot.valToPos(el.x ?? motion.xs[index], 'x'),
+        leftward = x > width * 0.7;
       el.style.setProperty('left', `${x}px`);
-      el.classList.toggle('leftward', x > width * 0.7);
+      el.classList.toggle('leftward', leftward);
+      const words = el.firstElementChild;
+      if (!words) continue;
+      // words of events close to each other stand under each other
+      const [from, to] = leftward ? [x - words.offsetWidth, x] : [x, x + words.offsetWidth];
+      let line = 0;
+      while (taken.some((t) => t.line === line && from < t.to && t.from < to)) line += 1;
+      taken.push({ line, from, to });
+      words.style.setProperty('top', `${line * words.offsetHeight}px`);
     }
   }
   return {

@@ -3,6 +3,7 @@ import { $, say } from './dom.mjs';
 import { state, on, tell, setTable, presentable } from './store.mjs';
 import * as history from './history.mjs';
 import { readTheme } from './theme.mjs';
+import * as layout from './layout.mjs';
 import * as link from './link.mjs';
 import * as library from './library.mjs';
 import * as view from './scene/view.mjs';
@@ -37,6 +38,7 @@ import * as looks from './scene/looks.mjs';
 import { expose } from './hook.mjs';
 
 readTheme();
+layout.begin();
 view.open($('#view'));
 on('theme', view.applyTheme);
 view.applyTheme();

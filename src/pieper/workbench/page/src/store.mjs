@@ -120,13 +120,25 @@ function own(table, what) {
 export function setTable(given, { step = true, q = null, what = 'edit', label = 'edit the arm', key, open } = {}) {
   const table = own(given, what);
   if (step) tell('did', { label, key, open });
-  const same = table.joints.length === state.q.length;
+  const same = table.joints.length === state.q.length,
+    before = state.table.joints,
+    kept = same && before.some((j, i) => j.type !== table.joints[i]?.type) ? keptBy(before, table.joints) : null;
   state.table = table;
-  state.q = q ?? (same ? state.q : table.joints.map((j, i) => state.q[i] ?? clampInto(j)));
+  state.q = q ?? (same ? (kept ?? ((v) => v))(state.q) : table.joints.map((j, i) => state.q[i] ?? clampInto(j)));
   state.frames = forward(table, state.q);
   state.solutions = null;
+  if (kept) keepPostures(kept);
   tell('table', what);
   tell('q', 'table');
+  if (kept) for (const topic of ['program', 'sequence-loaded']) tell(topic);
+}
+/** What is kept of a joint vector where turning joints become slides or slides turn: radians are no metres. */
+const keptBy = (before, joints) => (v) =>
+  v?.length === joints.length ? v.map((x, i) => (before[i]?.type === joints[i].type ? x : clampInto(joints[i]))) : v;
+function keepPostures(kept) {
+  state.start = kept(state.start);
+  state.program = state.program.map((s) => (s.q ? { ...s, q: kept(s.q) } : s));
+  for (const p of state.sequence.postures) p.q = kept(p.q);
 }
 
 /** Who set a target: a person that edits it is followed by the arm, everything else leaves the posture as it is. */

@@ -1,12 +1,21 @@
 // Whole turns: the same posture as near to the present one as the limits allow.
 import { state } from './store.mjs';
 
-/** The same posture with each revolute joint a whole number of turns nearer to where it is, if its limits allow. */
+const TURN = 2 * Math.PI,
+  SLACK = 1e-9;
+
+/** The same posture with each revolute joint turned whole turns: inside its limits where it can be, and as near to where it is as these allow. */
 export function shortest(q) {
-  return q.map((v, i) => {
-    const j = state.table.joints[i];
-    if (j.type !== 'R') return v;
-    const w = v + 2 * Math.PI * Math.round((state.q[i] - v) / (2 * Math.PI));
-    return (j.lower === null || w >= j.lower - 1e-9) && (j.upper === null || w <= j.upper + 1e-9) ? w : v;
-  });
+  return q.map((v, i) => (state.table.joints[i].type === 'R' ? turned(v, state.table.joints[i], state.q[i]) : v));
+}
+
+function turned(v, { lower, upper }, here) {
+  const lo = lower ?? -Infinity,
+    hi = upper ?? Infinity;
+  const least = Math.ceil((lo - SLACK - v) / TURN),
+    most = Math.floor((hi + SLACK - v) / TURN),
+    near = Math.round((here - v) / TURN);
+  // where no whole turn brings it inside, the one that is the least beyond: of a curve that goes round, the same on every round
+  if (least > most) return lo - (v + TURN * most) < v + TURN * least - hi ? v + TURN * most : v + TURN * least;
+  return v + TURN * Math.min(Math.max(near, least), most);
 }

@@ -61,6 +61,7 @@ export function poseEditor(title, id, get, take, key = id) {
       row,
       parts.map((p) => p.el),
     );
+    row.style.setProperty('--half', Math.ceil(parts.length / 2));
     shown = state.notation;
   };
   const show = () => {
@@ -97,7 +98,10 @@ export function poseEditor(title, id, get, take, key = id) {
     fillFrom([parts.map((p) => p.f)], 0, list.length === parts.length ? 0 : at, [list]);
   });
   row.addEventListener('focusout', () => setTimeout(show));
-  return { el: h('fieldset', { class: 'pose-editor' }, h('legend', { text: title }), row), show };
+  return {
+    el: h('fieldset', { class: 'pose-editor' }, h('legend', { text: title }), h('div', { class: 'pose-room' }, row)),
+    show,
+  };
 }
 
 /** Half of the last digits that were typed: metres of the position, radians of the orientation. */

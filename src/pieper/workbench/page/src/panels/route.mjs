@@ -49,6 +49,11 @@ export const route = (open) => ({
       verdict,
       ...asking,
       async ask() {
+        const [low, high] = routing().turn ?? [0, 0];
+        if (low > high)
+          throw new Error(
+            `The turn must have its lower end first; it goes from ${showUnit(low, 'angle')} to ${showUnit(high, 'angle')}.`,
+          );
         try {
           return await askArm('route', routeMessage());
         } catch (error) {

@@ -89,9 +89,9 @@ export const share = (showPanel) => ({
     };
     const script = newestOnly(async () => {
       try {
-        const { q, target, hasTarget, path, program } = state;
+        const { q, target, hasTarget, path, program, world } = state;
         const { task, redundancy } = options;
-        const body = { q, target: hasTarget ? target : null, path, task, redundancy, program: programMessage() };
+        const body = { q, target: hasTarget ? target : null, path, task, redundancy, world, program: programMessage() };
         code.value = (await askArm('python', program.length ? body : { ...body, program: null })).text;
       } catch (error) {
         code.value = `# ${error.message}`;

@@ -126,10 +126,25 @@ export function showBeside(what, points) {
   if (!state.table.joints.length) return;
   const before = alsoCount;
   alsoCount = alsoShown.length;
-  remember([...outline(state.table, state.frames), ...alsoShown]);
+  remember(room());
   if (points.length) stayInView();
   else if (before > alsoCount) comeBack();
 }
+/** Points of the shapes that the links wear, where the frames F put them; they reach beyond what the table draws. */
+let worn = () => [],
+  wornCount = 0;
+/** The links wear other shapes from now on: a picture of the arm holds these too. */
+export function wear(points) {
+  const before = wornCount;
+  worn = points;
+  wornCount = worn(state.frames).length;
+  if (!state.table.joints.length) return;
+  remember(room());
+  if (wornCount < before) comeBack();
+  else if (wornCount) stayInView();
+}
+/** What a picture must hold: the arm, what its links wear, and what stands beside it. */
+const room = () => [...outline(state.table, state.frames), ...worn(state.frames), ...alsoShown];
 /** What made the picture wider is gone: as near as before, unless a hand has moved the camera meanwhile. */
 const comeBack = debounce(returnFromWide, 120);
 /** The room a whole motion takes, so that the picture holds still while it plays. */
@@ -138,12 +153,15 @@ export function showMotionRoom(table, list) {
   const some = list.filter((_, k) => k % step === 0 || k === list.length - 1);
   showBeside(
     'motion',
-    some.flatMap((q) => outline(table, forward(table, q))),
+    some.flatMap((q) => {
+      const F = forward(table, q);
+      return [...outline(table, F), ...(table === state.table ? worn(F) : [])];
+    }),
   );
 }
 /** Bring the arm into the picture; what stands beside it (a path) stays in the picture from then on. */
 export function fitArm(options) {
-  fit([...outline(state.table, state.frames), ...alsoShown], options);
+  fit(room(), options);
 }
 const stayInView = debounce(keepInView, 220);
 
@@ -151,7 +169,7 @@ function drawArm() {
   const F = state.frames;
   main.show(state.table.joints.length ? [shape(state.table, F, form, state.q)] : []);
   standing();
-  remember([...outline(state.table, F), ...alsoShown]);
+  remember(room());
   stayInView();
   if (tracing) addTrace(position(F[F.length - 1]));
   drawFrames();

@@ -6,12 +6,12 @@ import { say } from '../dom.mjs';
 import { load } from '../meshes/load.mjs';
 import { scene, invalidate, bySoftware } from './view.mjs';
 import { solid } from './matte.mjs';
-import { showSketch, shadowMaterial, shadowMatrix } from './arm.mjs';
+import { showSketch, wear, shadowMaterial, shadowMatrix } from './arm.mjs';
 
 /** Grey of a shape whose file says no colour. */
 const PLAIN = { light: '#c9ced6', dark: '#8b96a6' };
 const group = new THREE.Group();
-let shapes = [], // {on, T, fine, some, few, mesh, shadow, colour}
+let shapes = [], // {on, T, fine, some, few, mesh, shadow, colour, corners}
   loading = 0,
   moving = false;
 
@@ -68,12 +68,26 @@ function build() {
       .finally(() => {
         loading -= 1;
         place();
-        if (!loading) tell('looks', 'loaded');
+        if (loading) return;
+        wear(corners);
+        tell('looks', 'loaded');
       });
   }
   tell('looks');
   place();
+  wear(corners);
 }
+/** Corners of the boxes about the shapes, where the frames F put them; none while they are not shown. */
+function corners(F) {
+  if (mode() === 'sketch') return [];
+  return shapes
+    .filter((s) => F[s.on])
+    .flatMap((s) => {
+      at.set(...F[s.on]);
+      return s.corners.map((p) => corner.copy(p).applyMatrix4(at).toArray());
+    });
+}
+const corner = new THREE.Vector3();
 const upright = (g) => g.rotateX(Math.PI / 2);
 const primitives = {
   box: (v) => new THREE.BoxGeometry(...v),
@@ -104,7 +118,12 @@ function add(s, [fine, some = fine, few = some], colour, scale = null, closed = 
   }
   shadow.renderOrder = -1;
   group.add(mesh, shadow);
-  shapes.push({ on: s.on, T, fine, some, few, mesh, shadow, colour });
+  few.computeBoundingBox();
+  const { min, max } = few.boundingBox,
+    corners = [min.x, max.x].flatMap((x) =>
+      [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) => new THREE.Vector3(x, y, z).applyMatrix4(T))),
+    );
+  shapes.push({ on: s.on, T, fine, some, few, mesh, shadow, colour, corners });
   paint();
 }
 
@@ -145,6 +164,7 @@ export function setLook(change) {
   state.look = { ...state.look, ...change };
   paint();
   place();
+  wear(corners);
   tell('look');
 }
 
