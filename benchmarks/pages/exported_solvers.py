@@ -14,8 +14,8 @@ and to float32), rows inside the limits beside `arm.ik_many`'s, to 1e-7 rad. Mea
 benchmarks.measure.exports`, which goes on where it was left; written by `make pages` (see [code](code.md)).
 
 Where a number of poses stands alone, no pose differed. *+k*: k poses differ; *~k*: k poses differ where the file
-says `unclear`, next to singular ones: rows are known to fewer digits there, and some may be missing. *no*: refused in words, as a family that is no list of operations. Arms that are not
-listed were not run.
+says `unclear`, next to singular ones: rows are known to fewer digits there, and some may be missing. *no*: refused in
+words, as a family that is no list of operations. Arms that are not listed were not run.
 """
 NAMES = {
     "c": "C",
