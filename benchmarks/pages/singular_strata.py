@@ -45,4 +45,10 @@ def table(kept: dict) -> str:
 
 def page() -> str:
     """Return the page."""
-    return HEAD + table(read("singular_strata"))
+    kept = read("singular_strata")
+    chunks = [chunk for arm in kept.values() for chunk in arm["chunks"].values()]
+    poses, told = (sum(sum(chunk[key]) for chunk in chunks) for key in ("poses", "told"))
+    whole = (
+        f"In all {poses:,} poses, of which {poses - told} are not found within the second bound: {told / poses:.6f}."
+    )
+    return HEAD + whole + "\n\n" + table(kept)

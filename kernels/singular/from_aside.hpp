@@ -211,6 +211,7 @@ class FromAside {
       settle(arm_, T, at, 6, kHeldFirmly);
       const Known one = look_at(T, at);
       if (on_motion(one, out) || nearly_holds(T, one, curves) || is_alone(known, one.q, out)) return true;
+      if (one.singular && one.miss > kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)))) return true;
       if (one.singular && !through(T, one, known, curves, out)) return false;
       if (!on_motion(one, out) && !is_alone(known, one.q, out)) known.push_back(one);
       return true;

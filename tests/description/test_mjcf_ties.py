@@ -156,3 +156,9 @@ def test_a_follower_s_range_narrows_its_leader_s(tmp_path: Path):
         note.startswith("The limits of 'j2' are -0.65 to 0.35 (the file's own: -1 to 1): beyond, 'j3'")
         for note in arm.notes
     )
+
+
+def test_a_range_the_wrong_way_round_is_told_as_in_other_files(tmp_path: Path):
+    """MuJoCo itself takes such a joint as unlimited and says nothing."""
+    with pytest.raises(InputError, match="limits of joint 'j2' are swapped"):
+        load(tmp_path, "", lead="1 -1")

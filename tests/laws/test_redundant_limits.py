@@ -197,3 +197,20 @@ def test_every_pose_that_is_left_is_looked_at_however_many_there_are(monkeypatch
     found = anywhere.anywhere(arm.plan, T)
     assert sorted(looked_at) == list(range(60))
     assert (found.kind == anywhere.INSIDE).all()
+
+
+@pytest.mark.parametrize("limit", [(-np.inf, 2.0), (-1.0, np.inf)])
+@pytest.mark.parametrize(("name", "task"), [("panda", "pose"), ("ur5e", "position+axis")])
+def test_a_stop_on_one_side_alone_bounds_self_motions_there(name, task, limit):
+    """Any joint of the arm: what it is asked for lies on a self-motion, a turn farther on the open side too."""
+    rng = np.random.default_rng(1)
+    whole = pieper.load(name)
+    for j in range(whole.n):
+        arm = whole.with_limits({whole.joint_names[j]: limit})
+        q = np.clip(rng.uniform(-1, 1, arm.n), arm.limits[:, 0], arm.limits[:, 1])
+        found = arm.ik(arm.fk(q), task=task)
+        assert found.self_motions and any(motion.inside for motion in found.self_motions)
+        assert np.abs(found.nearest(q) - q).max() < 1e-6
+        further = q.copy()
+        further[j] += 2 * np.pi if np.isinf(limit[1]) else -2 * np.pi
+        assert np.abs(found.nearest(further) - further).max() < 1e-6

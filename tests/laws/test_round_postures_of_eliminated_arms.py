@@ -8,6 +8,7 @@ from math import pi
 import numpy as np
 import pytest
 
+from oracle.arms.known import free
 from pieper import DH, Arm, Status
 from pieper.solver.singular.line_of_slides import SlideLine
 
@@ -121,6 +122,20 @@ def test_what_stands_where_two_axes_line_up_is_told(name, q):
     sols, many = arm.ik(T := arm.fk(q)), arm.ik_many(T[None], threads=1)
     assert sols.status == Status.SINGULAR and many.status[0] == sols.status
     assert any(motion.contains(q, 1e-4) for motion in sols.self_motions)
+
+
+def test_points_of_a_curve_that_nearly_holds_the_pose_are_no_rows():
+    """A hair beside a pose with the wrist's centre on axis 1 every value of joint 1 misses by less than 1e-11."""
+    arm = free("denso-vp6242")
+    for off in (1e-11, 1e-10, 1e-9):
+        q = np.array([0.605314578, 1.837852344, -2.432027333, 0.858870096, -2.122781711, 0.927531848])
+        around = q + np.linspace(-2e-9, 2e-9, 81)[:, None] * np.eye(6)[1]
+        weakest = np.linalg.svd(arm.jacobian(around), compute_uv=False)[:, -1]
+        q = around[int(np.argmin(weakest))] + off * np.eye(6)[1]
+        sols = arm.ik(arm.fk(q))
+        told = 1e-6 + 1e-14 / np.linalg.svd(arm.jacobian(q), compute_uv=False)[-1]
+        assert arm.chain.joints.apart(sols.all_q, q).min() < told
+        assert len(np.unique(np.round(sols.all_q[:, 0], 2))) <= 2
 
 
 #: Slides that three turns leave: outer axes in line to half the digits dropped a posture without a word; a filling that
@@ -241,6 +256,7 @@ def test_a_line_of_slides_is_exact_at_its_limits(name):
         assert "between two ends" in str(line)
         now = made + rng.uniform(-0.5, 0.5, arm.n)
         nearest = line.nearest(now)
+        assert nearest is not None
         every = np.array([line.at(u) for u in np.linspace(low, high, 2001)])
         unit = arm.chain.joints.unit
         away = np.linalg.norm((bounded.chain.joints.unwound(every, now, bounded.limits) - now) / unit, axis=1)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import os
+import re
+import shlex
 import sys
 import warnings
 from collections.abc import Callable
@@ -79,10 +81,26 @@ def _misuse(sentence: str) -> int:
     return MISUSE
 
 
+#: What the library's sentences say of its arguments, and how a command is asked the same.
+_OPTIONS = re.compile(r"\b(base|tip|missing_limits)=('[^']*'|\"[^\"]*\")?")
+_MILLIMETRES = re.compile(r"metres are meant\. Were these millimetres\? pieper\.pose\(\.\.\., mm=True\) takes them\.")
+
+
+def as_typed(sentence: str) -> str:
+    """Return a sentence of the library with its arguments as the command line has them."""
+
+    def option(found: re.Match[str]) -> str:
+        name, value = f"--{found[1].replace('_', '-')}", (found[2] or "")[1:-1]
+        return f"{name} {value if value.isidentifier() else shlex.quote(value)}" if value else name
+
+    cure = "are the numbers in the unit that --length says (mm where it says nothing)?"
+    return _OPTIONS.sub(option, _MILLIMETRES.sub(cure, sentence))
+
+
 def _say(sentence: str) -> None:
     from pieper.cli.layout import sentences, terminal_width
 
-    print(sentences(f"pieper: {sentence}", terminal_width(sys.stderr)), file=sys.stderr)
+    print(sentences(f"pieper: {as_typed(sentence)}", terminal_width(sys.stderr)), file=sys.stderr)
 
 
 def _say_warning(message: Warning | str, *_: object, **__: object) -> None:

@@ -197,10 +197,11 @@ def _links(
         for j in range(first, first + count):
             name, held = name_of(model, j), ties.held.get(j)
             kind = kinds[int(model.jnt_type[j])]
-            limited = bool(model.jnt_limited[j])
             at = _pose(model.jnt_pos[j], [1.0, 0.0, 0.0, 0.0])
             link = f"{bodies[i]}/{name}"
             lower, upper = (float(v) for v in model.jnt_range[j])
+            # MuJoCo passes over a range that is the wrong way round; it is told as in other files
+            limited = bool(model.jnt_limited[j]) or lower > upper
             add(
                 Joint(
                     name,

@@ -75,9 +75,11 @@ def _bounded(plan: Plan, every_turn: bool) -> list[int]:
 
 def _ends(plan: Plan, joint: int) -> list[float]:
     lower, upper = plan.full_limits[joint]
+    ends = [float(v) for v in (lower, upper) if np.isfinite(v)]
+    if len(ends) < 2 or plan.exact.full.prismatic[joint]:
+        return ends
     turns = (upper - lower) / TURN
-    same = not plan.exact.full.prismatic[joint] and abs(turns - round(turns)) * TURN < LIMIT_SLACK
-    return [float(v) for v in ((lower,) if same else (lower, upper)) if np.isfinite(v)]
+    return ends[:1] if abs(turns - round(turns)) * TURN < LIMIT_SLACK else ends
 
 
 def _solved(held: Plan, T: Array, values: Array, threads: int) -> tuple[Array, Indices] | None:

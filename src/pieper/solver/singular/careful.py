@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -14,15 +15,17 @@ from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.rows import Flag
-from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
+from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps, size_of
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import (
     APPROACH_DAMPING,
     CAREFUL_ASIDE,
     CLEARLY_REGULAR,
+    HOLDS_EXACTLY,
     NEARLY_ZERO,
     PLAIN_MISS,
+    PRECISE_RANK,
     SAME_AFTER_CUT,
     SAME_VOUCHED,
     SLOW_RANK,
@@ -61,10 +64,14 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     most = plan.max_solutions if own else None
     known = np.concatenate([rows, known]) if own and known is not rows else known
     found = looked_at(plan, T, known, most=most)
-    # a self-motion that leaves poses beside in one and the same direction has no point near any of them
-    anywhere = _from_all_over(full, T)
-    more = anywhere[~_is_told(plan, found, anywhere)]
-    found = looked_at(plan, T, np.concatenate([known, more]), most=most) if len(more) else found
+    if found.self_motions or not len(found.q) or regular(plan, found.q):
+        # a self-motion that leaves poses beside in one and the same direction has no point near any of them
+        anywhere = _from_all_over(full, T)
+        more = anywhere[~_is_told(plan, found, anywhere)]
+        found = looked_at(plan, T, np.concatenate([known, more]), most=most) if len(more) else found
+    elif own and len(rows) == len(found.q) == plan.max_solutions:
+        # rounding may leave open whether a root is two that both are rows: of as many as there can be each is one
+        found = replace(found, multiplicity=np.ones(len(rows), np.int64))
     return (found if own else _own(plan, found)).within(plan.max_solutions)
 
 
@@ -79,8 +86,9 @@ def _from_all_over(full: Chain, T: Array) -> Array:
         damping=APPROACH_DAMPING,
         relative=lambda J, square: square,
     )
-    q = newton(full, q, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
-    return q[missed(full, q, T) < HOLDS]
+    q = newton(full, q, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
+    # next to a self-motion whole curves nearly hold the pose: what no kernel gave must hold it to rounding
+    return q[missed(full, q, T) < HOLDS_EXACTLY * size_of(full, T)]
 
 
 def _is_told(plan: Plan, found: Examined, q: Array) -> Bools:
@@ -159,7 +167,7 @@ def clear(plan: Plan, rows: Array) -> bool:
 
 def regular(plan: Plan, rows: Array) -> bool:
     """Whether all rows (m, n) are far enough from singular ones that none is a double root or on a self-motion."""
-    s = singular_values(plan.chain, rows)
+    s = singular_values(plan.chain, rows[:, : plan.n])
     return bool(np.all(s[:, -1] > CLEARLY_REGULAR * s[:, 0]))
 
 

@@ -124,7 +124,7 @@ def examine(
     doubles, hidden = _followed(curves, starts, len(singular))
     extra = np.array([*hidden, *near_singular]).reshape(-1, chain.n)
     extra = newton(chain, extra, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
-    extra = extra[missed(chain, extra, T) < HOLDS_EXACTLY * _size(chain, T)]
+    extra = extra[missed(chain, extra, T) < HOLDS_EXACTLY * size_of(chain, T)]
     hidden_regular, hidden_singular = _split(chain, extra)
     isolated = _distinct(chain, np.concatenate([regular, near_regular, hidden_regular]), SAME_SOLUTION)
     isolated = [q for q in isolated if not curves.meet(q, ISOLATED_FROM_CURVE)]
@@ -289,7 +289,7 @@ def _directions(chain: Chain, q: Array) -> list[Array]:
     return [*null, *fan]
 
 
-def _size(chain: Chain, T: Array) -> float:
+def size_of(chain: Chain, T: Array) -> float:
     """Return how much larger than one the numbers are that forward kinematics rounds."""
     return 1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length
 

@@ -52,9 +52,6 @@ class Examined:
         show a surface are, one may be left without a row.
         """
         over = len(self.q) - most
-        if over == 0 and not self.self_motions:
-            # rounding may leave open whether a root is two that both are rows: of as many as there can be each is one
-            return replace(self, multiplicity=np.ones(len(self.q), np.int64))
         if over <= 0:
             return self
         inside = np.array([bool(motion.inside) for motion in self.self_motions] or [False])

@@ -84,7 +84,7 @@ class SlideLine(SelfMotion):
             return np.zeros((0, self.chain.n))
         return self._held(self.points(np.array([(value - self.through[joint]) / step]))[0])[None]
 
-    @property
+    @cached_property
     def direction(self) -> Array:
         """(n,) unit tangent."""
         return self.way[: self.shown]
@@ -100,7 +100,7 @@ class SlideLine(SelfMotion):
         low, high = float(self._stops[:, 0].max()), float(self._stops[:, 1].min())
         if float((self._stops[:, 0] - room).max()) > float((self._stops[:, 1] + room).min()):
             return None
-        return (low, high) if low <= high else ((low + high) / 2,) * 2
+        return (low, high) if low <= high else ((low + high) / 2, (low + high) / 2)
 
     @cached_property
     def inside(self) -> tuple[tuple[float, float], ...]:

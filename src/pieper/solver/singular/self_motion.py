@@ -349,8 +349,7 @@ class SelfMotion:
     @property
     def bounded(self) -> bool:
         """Whether what does not close ends somewhere: slides without limits lead away for ever."""
-        free = list(self.free)
-        return bool(np.isfinite(self.limits[free]).any() or not self.chain.prismatic[free].any())
+        return bool(np.isfinite(self.limits[[*self.free]]).any() or not self.chain.prismatic[[*self.free]].any())
 
     def __repr__(self) -> str:
         return f"<SelfMotion of {', '.join(self.names)}: {('open', 'closed')[self.closed]}, dimension {self.dimension}>"
