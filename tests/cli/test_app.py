@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 import pieper
+from pieper.cli import main
+from pieper.cli.stopping import Stopped
 
 ARM = pieper.load("denso-vp6242")
 
@@ -286,3 +288,28 @@ def test_a_far_pose_typed_in_millimetres_is_not_asked_whether_it_was_in_millimet
     _, _, said = run("ik", "denso-vp6242", 350000, 0, 400)
     said = " ".join(said.split())
     assert "350 m away" in said and "--length" in said and "pieper.pose" not in said and "millimetres" not in said
+
+
+@pytest.mark.parametrize("stop", [KeyboardInterrupt, Stopped])
+def test_the_way_to_leave_the_workbench_is_no_interruption(run, monkeypatch, stop):
+    def serve(**_):
+        raise stop
+
+    monkeypatch.setattr("pieper.workbench.serve", serve)
+    status, _, said = run("workbench", "--no-browser")
+    assert (status, said) == (0, "")
+
+
+def test_the_tour_breaks_its_sentences_to_the_terminal(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr("pieper.cli.output.terminal_width", lambda: 30)
+
+    def study(out, say):
+        say("  tool up (+z), R = I: 50 of 50 points have a solution")
+        return out / "index.html", True
+
+    monkeypatch.setattr("pieper.cli.denso_study.run", study)
+    with pytest.raises(SystemExit):
+        main(["tour", "-o", str(tmp_path)])
+    said = capsys.readouterr().out
+    assert "  tool up (+z), R = I: 50 of\n  50 points have a solution\n" in said
+    assert str(tmp_path / "index.html") in said

@@ -128,3 +128,12 @@ def test_equations_are_made_once():
     assert symbolic.fk() is symbolic.fk()
     assert symbolic.fk(lengths="numbers") is not symbolic.fk()
     assert symbolic.ik() is symbolic.ik()
+
+
+def test_a_partial_product_too_wide_for_a_page_is_shown_entry_by_entry():
+    """Browsers shrink every page of a report for one matrix that sticks out of it."""
+    twists, lengths = [1.1, 0.3, -1.2, 0.9, -0.7, 0.4], [0.1, 0.4, 0.3, 0.05, 0.1, 0.02]
+    rows = [pieper.DH(a, twist, 0.2) for a, twist in zip(lengths, twists, strict=True)]
+    general = pieper.Arm.from_dh(rows, convention="standard", name="general").symbolic.fk()
+    assert "T03,11 = " in general.text() and "T03 = [" not in general.text()
+    assert "T03,11" not in pieper.load("denso-vp6242").symbolic.fk().text()

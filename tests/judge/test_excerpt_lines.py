@@ -190,3 +190,47 @@ def test_one_sign_or_the_other_makes_an_equation_hold_and_a_wrong_one_not(two):
     assert verdict("s2 = +-sqrt(1 + c2^2)") == WRONG
     assert verdict("s2 = +-sqrt(1 - c1^2)") == WRONG
     assert verdict("s2 = +-sqrt(1 - c2^2) + 1e-9") == WRONG
+
+
+def guessed(text, robot):
+    """The claims file that is guessed from a text."""
+    return pieper.guess_claims(text, robot, "page")[0]
+
+
+def test_a_page_of_code_and_a_page_in_markdown_are_read():
+    text = """function q = ik(T)
+  d6 = 0.07;
+  wx = T(1,4) - d6*T(1,3);
+  wy = T(2,4) - d6*T(2,3);
+  q1 = atan2(wy, wx);
+end
+There are eight configurations of the arm: front or rear, elbow up or down, wrist flipped or not.
+"""
+    found = guessed(text, "denso-vp6242")
+    assert "not read" not in found
+    assert 'wx = "T[1,4] - d6* T[1,3]"' in found and "count = 8" in found
+    found = guessed("With the table, `px = a1*c1 + a2*c12` and `py = a1*s1 + a2*s12`.", "adept-cobra-600")
+    assert "not read" not in found and found.count('kind = "entry"') == 2
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "The determinant of the Jacobian vanishes where s3 = 0 or s5 = 0.",
+        "The Jacobian has rank less than six when $s_3 = 0$ or $s_5 = 0$.",
+        "The arm loses rank if s3 = 0 or s5 = 0.",
+        "The arm is singular when s3 = 0 or s5 = 0.",
+    ],
+)
+def test_a_sentence_that_says_where_an_arm_is_singular_in_other_words(sentence):
+    assert 'kind = "singular"' in guessed(sentence, "denso-vp6242")
+
+
+@pytest.mark.parametrize("word", ["unless", "except when", "if", "provided that"])
+def test_an_equation_on_which_a_sentence_makes_a_condition_is_no_claim(word):
+    assert "[[claim]]" not in guessed(rf"The angles are found in two ways {word} $\theta_5 = 0$.", "denso-vp6242")
+
+
+def test_two_equations_with_a_wide_space_between_them():
+    found = guessed(r"$$\theta_4 = \tan^{-1}\left(\frac{a_y}{a_x}\right),\qquad p_z = d_1$$", "denso-vp6242")
+    assert "not read" not in found

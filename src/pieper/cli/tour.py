@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from pieper.cli.output import say
 from pieper.cli.status import DONE, NO_SOLUTION
 
 
@@ -15,6 +16,6 @@ def command(out: str) -> int:
     """Run a whole study on the Denso VP-6242 and write it up on one page."""
     from pieper.cli.denso_study import run
 
-    page, complete = run(Path(out), say=print)
-    print(f"\nThe page: {page.resolve()}")
+    page, complete = run(Path(out), say=say)
+    say(f"\nThe page: {page.resolve()}")
     return DONE if complete else NO_SOLUTION

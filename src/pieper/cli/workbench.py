@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 
 import click
@@ -23,5 +24,7 @@ def command(arm: pieper.Arm, host: str, port: int, browser: bool, open_to_networ
     """Open the workbench: the arm, its joints, poses and equations, live in the browser."""
     from pieper.workbench import serve
 
-    serve(host=host, port=port, arm=arm, open_to_network=open_to_network, open_browser=browser)
+    # Ctrl-C, or whatever ends a service, is how one leaves it: nothing was interrupted
+    with contextlib.suppress(KeyboardInterrupt):
+        serve(host=host, port=port, arm=arm, open_to_network=open_to_network, open_browser=browser)
     return DONE

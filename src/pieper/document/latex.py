@@ -26,10 +26,13 @@ HEAD = r"""\documentclass[11pt,a4paper]{article}
 \setlength{\parskip}{0.6ex plus 0.2ex}
 \setlength{\tabcolsep}{4pt}
 \setcounter{MaxMatrixCols}{20}
-% a display is set once in a box; wider than the line, it is scaled down to it
+% a display is set once in a box; wider than the line, it is scaled down to it; much wider, it is broken at its signs
 \newsavebox{\formulabox}
+\newcommand{\broken}[1]{\parbox{\linewidth}{\raggedright\hangindent=3em\hangafter=1\relpenalty=0\binoppenalty=0
+  \let\left\relax\let\right\relax$\displaystyle #1$}}
 \newcommand{\fitted}[1]{\sbox{\formulabox}{$\displaystyle #1$}%
-  \ifdim\wd\formulabox>\linewidth\resizebox{\linewidth}{!}{\usebox{\formulabox}}\else\usebox{\formulabox}\fi}
+  \ifdim\wd\formulabox>1.35\linewidth\broken{#1}\else
+  \ifdim\wd\formulabox>\linewidth\resizebox{\linewidth}{!}{\usebox{\formulabox}}\else\usebox{\formulabox}\fi\fi}
 """
 
 _SPECIAL = {

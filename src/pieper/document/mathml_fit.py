@@ -52,6 +52,11 @@ def fitted(content: str) -> str:
     return "".join(_as_math(line, k > 0) for k, line in enumerate(lines))
 
 
+def fits(content: str) -> bool:
+    """Whether content that cannot be broken, such as a matrix, fits on a line, set no smaller than can be read."""
+    return width(ET.fromstring(f"<math>{content}</math>")) * SMALLEST <= LINE
+
+
 def width(element: ET.Element) -> float:
     """Return about how many characters wide an element is set; sub- and superscripts count less, fractions once."""
     tag, children = element.tag, list(element)

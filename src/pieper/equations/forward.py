@@ -16,7 +16,7 @@ from pieper.description.dh import Description
 from pieper.document import text
 from pieper.document.blocks import Document, Equation, Equations
 from pieper.document.formulas import equals, in_line, matrix, named
-from pieper.document.mathml_fit import displayed
+from pieper.document.mathml_fit import displayed, fits
 from pieper.document.readable import Readable
 from pieper.equations.lettering import checked_letters, in_letters
 from pieper.equations.named_parts import broken_lines
@@ -96,6 +96,20 @@ class MatrixEquation:
     def equation(self) -> Equation:
         """The name, an equals sign and the matrix."""
         return Equation((named(self.name[0], self.name[1:]), matrix(self.entries)), name=self.name)
+
+    @property
+    def shown(self) -> Equation | Equations:
+        """The matrix, or entry by entry where it is too wide for a page: browsers shrink every page for one such."""
+        cells = matrix(self.entries)
+        if fits(cells.mathml()):
+            return self.equation
+        return Equations(
+            tuple(
+                Equation((named(self.name[0], f"{self.name[1:]},{r + 1}{c + 1}"), self.entries[r][c]))
+                for c in range(4)
+                for r in range(3)
+            )
+        )
 
     @property
     def entry_equations(self) -> Equations:
@@ -266,7 +280,7 @@ class ForwardEquations(Readable):
         ):
             if equations:
                 page.say(words, *in_line(equations))
-        page.add(*(m.equation for m in (*self.A, *self.halves)), self.pose.entry_equations)
+        page.add(*(m.shown for m in (*self.A, *self.halves)), self.pose.entry_equations)
         return in_letters(broken_lines(page), self.letters)
 
     def sympy(self) -> Any:

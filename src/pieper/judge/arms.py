@@ -113,7 +113,10 @@ def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> Arm
     every = [r for row in rows for r in (*row.before, row, *row.after)]
     zeros &= {name for r in every for cell in (r.a, r.d) for name in cell.symbols()}
     model = ArmModel(name, convention, tuple(rows), values, unit, base, tool, None, aliases, frozenset(zeros))
-    return replace(model, solver=_solver(model))
+    try:
+        return replace(model, solver=_solver(model))
+    except InputError as error:
+        raise InputError(f"{place}: {error}") from None
 
 
 def _cell(

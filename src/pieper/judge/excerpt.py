@@ -17,7 +17,7 @@ from pieper.judge.conditions import read_conditions
 from pieper.judge.evidence import SIGN
 from pieper.judge.excerpt_counts import Counted, counted
 from pieper.judge.excerpt_lengths import lengths_meant
-from pieper.judge.excerpt_lines import BRANCH, CONDITION, SINGULAR, Line, equations
+from pieper.judge.excerpt_lines import BRANCH, CONDITION, SINGULAR, Line, bare, equations
 from pieper.judge.excerpt_matrices import PLACED
 from pieper.judge.letters import pick_letters
 from pieper.judge.model import POSE_NAMES, ArmModel
@@ -63,6 +63,7 @@ def guesses(text: str, model: ArmModel) -> list[Guess]:
         text: Plain text or LaTeX.
         model: The arm that it is about.
     """
+    text = bare(text)
     lines, found = equations(text), list[Guess]()
     stands = _undefined(lines, model)
     signs = set(SIGN.findall(_unmarked(text))) | set(stands)
@@ -214,7 +215,8 @@ def _guess(line: Line, model: ArmModel, known: set[str], stands: dict[str, str])
         guess.why = "a condition in a sentence, not a claim"
         return guess
     if condition:
-        body = _SPACE.sub(" ", body[: condition.start()]).strip(" .,&")
+        body = body[: condition.start()]
+    body = re.sub(r"(?:\s|[.,&]|\\q?quad\b)+$", "", body)
     left, _, right = body.partition("=")
     left, right = left.strip(" &"), right.strip(" &")
     if _RELATION.fullmatch(_unmarked(f"{left} = {right}").strip()):
@@ -243,14 +245,14 @@ def _guess(line: Line, model: ArmModel, known: set[str], stands: dict[str, str])
 
 def _read(guess: Guess, left: str, right: str, matrices: list, model: ArmModel, known: set[str]) -> None:
     names = model.names() | known
-    bare = re.sub(r"[\s_{}\\]|mathbf|mathrm|boldsymbol|text", "", left)
+    name = re.sub(r"[\s_{}\\]|mathbf|mathrm|boldsymbol|text", "", left)
     placed = PLACED.fullmatch(right)
     if placed:
-        _matrix(guess, bare, matrices[int(placed.group(1))], model, names)
+        _matrix(guess, name, matrices[int(placed.group(1))], model, names)
         return
     if PLACED.search(right) or PLACED.search(left):
         raise InputError("a matrix among other things; write it as a claim of its own")
-    if _DETERMINANT.fullmatch(bare):
+    if _DETERMINANT.fullmatch(name):
         guess.keys = {"kind": "determinant", "is": plain(_formula(right, model, names)).strip()}
         return
     if BRANCH in right:
@@ -259,7 +261,7 @@ def _read(guess: Guess, left: str, right: str, matrices: list, model: ArmModel, 
             raise InputError("two branches are read of a joint's formula; write a claim for each")
         guess.keys = {"kind": "joint", **joint, "is": [_formula(part, model, names) for part in parts]}
         return
-    entry = next((name for name, _, _ in POSE_NAMES if bare in (name, _LOWER.get(name, name))), "")
+    entry = next((e for e, _, _ in POSE_NAMES if name in (e, _LOWER.get(e, e))), "")
     if entry:
         guess.keys = {"kind": "entry", "of": entry, "is": _formula(right, model, names)}
         return

@@ -155,7 +155,7 @@ def _read(line: int, sentence: str) -> Counted | None:
         return None
     if _NOT_ONE.search(about) and count:
         return None
-    if _PART.search(about):
+    if _PART.search(about.partition(":")[0]):  # behind a colon the postures are named
         return Counted(line, sentence, why="it counts the solutions of a part of the arm, not of a pose")
     if count == 0 and not condition:
         why = 'when there is no solution is said in words; write it as when = ".." with count = 0'

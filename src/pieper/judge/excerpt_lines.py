@@ -53,6 +53,20 @@ _SPONG = re.compile(
 _JOINER = re.compile(r"\\q?quad\b|;|\\(?:text|mbox|mathrm)\s*\{\s*,?\s*(?:and|with|where)\s*\}|\b(?:and|with|where)\b")
 _LEADS = re.compile(r"^(?:\s|,|&|\\q?quad\b|\b(?:and|with|where|so|then|thus|hence|therefore|giving|gives)\b:?)+")
 _BETWEEN = re.compile(r"\$|\\\(|\\\)|\b(?:when|if|where|for|at|or|and)\b|,")
+#: Before an equation inside a sentence: it says where, and claims nothing.
+_ON_CONDITION = re.compile(
+    r"\b(?:unless|except\s+(?:when|where|if|at|for)|if|when|whenever|provided(?:\s+that)?|assuming(?:\s+that)?)\s*$",
+    re.I,
+)
+#: How a sentence says that an arm is singular somewhere.
+_SINGULAR = re.compile(
+    r"\bsingular|\bdeterminant\b.*\b(?:vanish\w*|zero)\b|\brank\b.*\b(?:less|fewer|below|lower|drops?|falls?|deficient)\b|"
+    r"\b(?:los\w+|drops?\s+in)\s+rank\b|\brank[- ]deficient\b",
+    re.I,
+)
+_CODE = re.compile(
+    r"^[ \t]*(?:function\b.*|end;?|def\s.*:|return\b.*|(?:import|from)\s.*|clc;?|clear\b.*)[ \t]*$", re.M
+)
 _PROSE = re.compile(r"[A-Za-z]{3,}\s+[A-Za-z]{3,}")
 
 
@@ -73,6 +87,11 @@ class Line:
     matrices: list[Cells]
 
 
+def bare(text: str) -> str:
+    """A text without the lines of a program that are no statements, and `code` in a sentence as $a formula$."""
+    return re.sub(r"(?<!`)`([^`\n]+)`(?!`)", r"$\1$", _CODE.sub("", text))
+
+
 def equations(text: str) -> list[Line]:
     """Return every equation of a text; a line with a sentence about singular places gives that first."""
     text, matrices = taken_out(re.sub(r"(?<!\\)%.*", "", text))
@@ -90,10 +109,12 @@ def equations(text: str) -> list[Line]:
         if "$" in line and CONDITION.search(line):
             out.append(Line(number, line.strip(), "", matrices))
             continue
+        before = ""
         for piece in re.split(r"\\\\(?:\[[^\]]*\])?|\$\$|(?<!\\)\$|\\\[|\\\]|\\\(|\\\)", line):
-            bare, tag = numbered(piece)
-            for one in apart(bare):
-                out += [Line(number, text.strip(" \t.,&"), tag, matrices) for text in _with_names(one)]
+            untagged, tag = numbered(piece)
+            for one in () if _ON_CONDITION.search(before) else apart(untagged):
+                out += [Line(number, text.strip(" \t.,;&"), tag, matrices) for text in _with_names(one)]
+            before = piece
     return out
 
 
@@ -166,7 +187,7 @@ def _placed(text: str) -> str:
 
 
 def _says_singular(sentence: str) -> bool:
-    return bool(re.search(r"\bsingular", sentence, re.IGNORECASE) and EQUALS.search(sentence))
+    return bool(_SINGULAR.search(sentence) and EQUALS.search(sentence))
 
 
 def _singular(sentence: str) -> list[str]:

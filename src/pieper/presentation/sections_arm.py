@@ -205,7 +205,7 @@ def add_forward(page: Document, arm: Arm, letters: str = "noap") -> None:
         page.add(Equations(tuple(matrix.equation for matrix in forward.A), beside=True))
         if forward.halves:
             page.add("Their partial products, sums of parallel joints gathered:")
-            page.add(*(matrix.equation for matrix in forward.halves))
+            page.add(*(matrix.shown for matrix in forward.halves))
         entries = Document("")
         entries.add(
             "The pose of the tool, entry by entry; n, o, a are the columns of the rotation and p is the position:",

@@ -26,7 +26,7 @@ def forward_blocks(arm: pieper.Arm, lengths: str) -> list[dict[str, Any]]:
     first = len(page.blocks)
     page.add(*fk.pose.entry_equations.rows)
     page.heading("Link matrices and products")
-    page.add(*(matrix.equation for matrix in (*fk.A, *fk.halves)))
+    page.add(*(matrix.shown for matrix in (*fk.A, *fk.halves)))
     blocks = sections.as_data(page.blocks)
     for block, (column, row) in zip(blocks[first:], itertools.product(range(4), range(3)), strict=False):
         moving = fk.motions(fk.pose[row, column])

@@ -109,6 +109,36 @@ def test_what_would_open_a_path_is_sought_when_asked(irb, seam):
 
 
 @pytest.mark.slow
+def test_the_change_told_is_nearly_the_smallest():
+    # found by somebody who widened the limit told by parts of it: a fiftieth was enough
+    rng = np.random.default_rng(12)
+    tool, seen = pieper.pose(30, -20, 100, rpy=(20, 30, 10), degrees=True, mm=True), 0
+    for _ in range(25):
+        arm = pieper.load("abb-irb2400")
+        q = rng.uniform(np.maximum(arm.limits[:, 0], -1), np.minimum(arm.limits[:, 1], 1))
+        room = np.radians(25) * rng.uniform(0.2, 1, (6, 2)) * [-1, 1]
+        both = np.clip(q[:, None] + room, arm.limits[:, :1], arm.limits[:, 1:])
+        arm = arm.with_limits(dict(zip(arm.joint_names, both.tolist(), strict=True))).with_tool(tool)
+        ends = arm.fk(q), arm.fk(q)
+        ends[1][:3, 3] += rng.normal(size=3) * 0.07
+        path = pieper.line(*ends, 20)
+        route = arm.route(path, free=FREE)
+        for change in () if route.blocked is None else route.blocked.relaxations:
+            if change.kind != "limit":
+                continue
+            j, side = arm.joint_names.index(change.what), int("upper" in change.opens)
+            for part, opens in ((1.0, True), (0.8, False)):
+                wider = both.copy()
+                wider[j, side] += (1 if side else -1) * part * change.amount
+                wide = arm.with_limits(dict(zip(arm.joint_names, wider.tolist(), strict=True)))
+                assert wide.route(path, free=FREE).found == opens
+            seen += 1
+        if seen == 3:
+            return
+    assert seen > 0
+
+
+@pytest.mark.slow
 def test_verdicts_agree_with_a_search_over_many_turns(irb):
     rng = np.random.default_rng(5)
     reach, unknown = irb.chain.length, 0

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pieper.kinematics.arrays import Array
+from pieper.motion.route.along_front import search_on_front
 from pieper.motion.route.freedom import Freedom
 from pieper.motion.route.result import Closed, Relaxation
 from pieper.motion.route.search import Task, leads, search, stations
@@ -17,6 +18,9 @@ from pieper.motion.route.setting import Setting, limits_of_axes, setting
 WIDEST, WIDEST_CONE, FARTHEST = np.pi, np.radians(40.0), 0.3
 #: How often a change is halved, and how many joints are tried.
 HALVINGS, JOINTS = 5, 2
+#: How often what was found is made smaller by routes themselves, between it and one of how many parts of it; of a cone,
+#: where more is free and each takes longer, less often. Nearer than `NEARLY` it need not be.
+SMALLER, SMALLER_CONE, NEARLY = (7, 1000), (4, 20), 1.05
 #: Points of the path that are looked at to see whether a change lets a route through; the change found is tried whole.
 POINTS = 26
 #: Changes are told this much larger than found.
@@ -85,7 +89,7 @@ class Opening:
         if any(end is not None for end in self.task.ends):
             return None
         most = min(WIDEST_CONE, np.pi / 2 - world.free.cone - 0.02)
-        amount = _least(tilted, most, 0.0, halvings=3)
+        amount = _least(tilted, most, 0.0, halvings=3, smaller=SMALLER_CONE)
         if amount is None:
             return None
         told = np.degrees(world.free.cone + amount)
@@ -122,7 +126,13 @@ class Opening:
         )
 
 
-def _least(changed: Callable[[float], Task], most: float, least: float, halvings: int = HALVINGS) -> float | None:
+def _least(
+    changed: Callable[[float], Task],
+    most: float,
+    least: float,
+    halvings: int = HALVINGS,
+    smaller: tuple[int, int] = SMALLER,
+) -> float | None:
     """Return the smallest change up to `most` with which there is a route, nearly; None where there is none."""
     if not _opens(changed(most)):
         return None
@@ -133,10 +143,29 @@ def _least(changed: Callable[[float], Task], most: float, least: float, halvings
             high = middle
         else:
             low = middle
+
+    def opens(amount: float) -> bool:
+        task = changed(amount)
+        return search(task, 1) is not None or search_on_front(task) is not None
+
     for amount in (high * ROOM, min(2 * high, most), most):
-        if search(changed(amount), 1) is not None:
-            return float(amount)
+        if opens(amount):
+            return _smaller(opens, float(amount), least, *smaller)
     return None
+
+
+def _smaller(opens: Callable[[float], bool], amount: float, least: float, times: int, parts: int) -> float:
+    """Return a change below one that lets a route through, which does too: even turns see only large ones."""
+    low, high = max(least, amount / parts), amount
+    for _ in range(times):
+        middle = float(np.sqrt(low * high))
+        if high < NEARLY * low:
+            break
+        if opens(middle):
+            high = middle
+        else:
+            low = middle
+    return high * ROOM if high * ROOM < amount and opens(high * ROOM) else high
 
 
 def _opens(task: Task) -> bool:
