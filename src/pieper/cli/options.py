@@ -11,6 +11,7 @@ import click
 import numpy as np
 
 import pieper
+from pieper import arguments
 from pieper.cli.arguments import ALSO, NOTATIONS, numbers
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
@@ -44,8 +45,29 @@ def _meant(word: str, known: list[str]) -> str:
 
 
 as_json = click.option("--json", is_flag=True, help="Print JSON, in metres and radians, for machines.")
+#: Endings of tables; a pipe or a device has none.
+TABLES = (".csv", ".tsv", ".txt", "")
+
+
+def csv_file(_context: click.Context, _option: click.Parameter, file: str) -> str:
+    """Return the name of a table to write.
+
+    Raises:
+        InputError: It is "-", which names no file, or its ending says that it is something else.
+    """
+    if file == "-":
+        raise pieper.InputError("--csv - names no file: give it a name, such as --csv rows.csv.", given=file)
+    if file:
+        arguments.file_ending(file, TABLES, "a table")
+    return file
+
+
 as_csv = click.option(
-    "--csv", default="", metavar="FILE", help="Write the rows into this .csv, in the units asked for."
+    "--csv",
+    default="",
+    metavar="FILE",
+    callback=csv_file,
+    help="Write the rows into this .csv, in the units asked for.",
 )
 figure = click.option("--figure", default="", metavar="FILE", help="Draw into this .png, .svg or .pdf.")
 animate = click.option(

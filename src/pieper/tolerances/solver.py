@@ -205,3 +205,5 @@ BOX_NEARER = 1e-14
 BOX_REGULAR = 1e-12
 #: Step of a tangent's difference quotient, of the whole course: neither its cube nor rounding over it counts.
 COURSE_STEP = 1e-5
+#: A sum of joints in a self-motion's words that is smaller is rounding (deg; mm).
+SAID_AS_ZERO = 1e-9
