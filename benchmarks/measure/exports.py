@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import runpy
 import tempfile
 import time
 from pathlib import Path
@@ -21,12 +22,11 @@ import numpy as np
 import pieper
 from benchmarks.kept import RESULTS, commit, held, read, write_text
 from benchmarks.measure.exported import LANGUAGES, Asked, Found
+from pieper.code.program import RECORDED
+from pieper.kinematics.arrays import Bools, Indices
 
 #: Rows of two ways to one answer differ by no more than rounding at the exported arms (rad, m).
 ALIKE = 1e-7
-#: A pose with a posture whose Jacobian has a smaller singular value (lengths in units of the arm) is a singular one:
-#: rounded by 1e-12 it may have rows less or none, which the native solver's careful road tells and a file says unclear.
-SINGULAR = 1e-6
 #: How poses are written down, of every ten those at odd places; None: as float32.
 DIGITS = (6, 8, 10, 12, None)
 
@@ -45,17 +45,22 @@ def asked(arm: pieper.Arm, poses: int) -> Asked:
     return Asked(q, T, spare)
 
 
-def singular(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, index: int) -> bool:
-    """Return whether a pose is marked as next to singular, or the posture it was made of or a row of it is singular."""
-    rows = np.concatenate([ask.q[index][None], many.q[index][many.valid[index]]])
-    J = arm.jacobian(rows)[:, : 3 if arm.plan.task == "position" else 6]
-    J[:, :3] /= arm.chain.length
-    moving = J if ask.spare is None else np.delete(J, ask.spare, 2)
-    return bool(many.flag[index] & 3) or float(np.linalg.svd(moving, compute_uv=False)[:, -1].min()) < SINGULAR
+def unclear(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, which: Indices) -> Bools:
+    """Return at which poses (k,) the native solver or the list of operations says that it is unsure.
+
+    Each language writes the same list down; the one of NumPy is asked. What is no list is the native solver itself.
+    """
+    marked = (many.flag[which] & 3) != 0
+    if not len(which) or arm.plan.family not in RECORDED:
+        return marked
+    values = () if ask.spare is None else (ask.q[which, ask.spare],)
+    with tempfile.TemporaryDirectory() as place:
+        solver = runpy.run_path(str(arm.code("python", Path(place) / "solver.py")))
+    return np.asarray(marked | solver["ik_all"](ask.T[which], *values)[2])
 
 
 def compared(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, found: Found) -> dict[str, Any]:
-    """Return at how many poses the rows inside the limits are not the native ones, and at how many singular ones.
+    """Return at how many poses the rows inside the limits are not the native ones, and at how many of those it is said.
 
     As many rows, each of them a native one, and each native one among them.
     """
@@ -70,7 +75,7 @@ def compared(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, found: Fou
         wrong[some] |= ~same.any(1)
         met[some] |= same
     wrong |= ~met.all(1)
-    said = [singular(arm, ask, many, index) for index in np.flatnonzero(wrong)]
+    said = unclear(arm, ask, many, np.flatnonzero(wrong)).tolist()
     return {
         "poses": len(ask.q),
         "rows": int(wanted.sum()),

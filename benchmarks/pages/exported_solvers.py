@@ -13,10 +13,9 @@ Which arm was run in which language: random poses inside the limits, half of the
 and to float32), rows inside the limits beside `arm.ik_many`'s, to 1e-7 rad. Measured by `python -m
 benchmarks.measure.exports`, which goes on where it was left; written by `make pages` (see [code](code.md)).
 
-Where a number of poses stands alone, no pose differed. *+k*: k poses differ; *~k*: k poses differ that are next to
-singular (the native solver says so, or a posture there has a singular value below 1e-6), where rows are known to fewer
-digits and the file says `unclear`. *no*: refused in words, as a family that is no list of operations. Arms that are not
-listed were not run.
+Where a number of poses stands alone, no pose differed. *+k*: k poses differ; *~k*: k poses differ where the file
+says `unclear`, next to singular ones: rows are known to fewer digits there, and some may be missing. *no*: refused in
+words, as a family that is no list of operations. Arms that are not listed were not run.
 """
 NAMES = {
     "c": "C",

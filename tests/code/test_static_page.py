@@ -32,7 +32,7 @@ NAMES = [
 #: Arms that move on the page and are not solved there: a linkage, a joint held in the middle.
 UNSOLVED = ("dobot-magician", "dfrobot-rob0036-as-printed")
 #: Kilobytes that the kernels may take on the way.
-MOST_KB = 260
+MOST_KB = 175
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +82,10 @@ def test_the_page_gives_the_native_rows(site, name):
 
 
 def test_the_kernels_are_small_on_the_way(site):
-    assert len(gzip.compress((site / "kernel.js").read_bytes())) / 1e3 < MOST_KB
+    script = (site / "kernel.js").read_bytes()
+    assert len(gzip.compress(script)) / 1e3 < MOST_KB
+    # a host that packs nothing sends letters: four for three bytes of what is packed already
+    assert len(script) / 1e3 < 4 / 3 * MOST_KB
 
 
 def test_the_page_solves_what_the_library_solves(site, browser):
