@@ -5,13 +5,13 @@ from __future__ import annotations
 import functools
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import click
 import numpy as np
 
 import pieper
-from pieper import arguments
 from pieper.cli.arguments import ALSO, NOTATIONS, numbers
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
@@ -57,8 +57,13 @@ def csv_file(_context: click.Context, _option: click.Parameter, file: str) -> st
     """
     if file == "-":
         raise pieper.InputError("--csv - names no file: give it a name, such as --csv rows.csv.", given=file)
-    if file:
-        arguments.file_ending(file, TABLES, "a table")
+    ending = Path(file).suffix
+    if ending.lower() not in TABLES:
+        raise pieper.InputError(
+            f"{file}: a table is written as {' or '.join(TABLES[:-1])}, not as {ending!r}.",
+            given=ending,
+            allowed=TABLES,
+        )
     return file
 
 
