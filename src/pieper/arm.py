@@ -348,7 +348,8 @@ class Arm(AlongPaths):
         Args:
             T: (4, 4), base to tool.
             task: As in `ik`; only what it asks for counts.
-            weights: (2,) what a metre and a radian count; None for position first, and then orientation.
+            weights: (2,) what a metre and a radian count, times what is missed of each, squared and added up; None for
+                position first, and then orientation.
         """
         from pieper.solver.words.closest import closest
 

@@ -137,3 +137,13 @@ def test_measurements_are_read_the_same_way(run, tmp_path):
     assert run("calibrate", ARM.name, commas, *words)[1] == expected[1]
     status, _, said = run("calibrate", ARM.name, both, *words)
     assert status == 2 and "line 4" in said and "nobody can tell" in " ".join(said.split())
+
+
+@pytest.mark.parametrize("words", [("ik", ARM.name, "350", "0", "400"), ("fk", ARM.name, "@joints.csv")])
+@pytest.mark.parametrize(("file", "said"), [("-", "names no file"), ("rows.png", "a table is written as .csv")])
+def test_a_table_is_not_written_into_what_is_none(run, tmp_path, monkeypatch, words, file, said):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "joints.csv").write_text("0,10,20,0,30,0\n")
+    status, _, complaint = run(*words, "--csv", file)
+    assert status == 2 and said in " ".join(complaint.split())
+    assert not (tmp_path / file).exists() and run(*words, "--csv", "rows.csv")[0] == 0

@@ -9,6 +9,7 @@ import sympy
 import pieper
 from pieper import DH
 from pieper.algebra.expression import Sym
+from pieper.equations.derivation.general import GeneralInverse
 
 PI = np.pi
 CLOSED = """
@@ -133,3 +134,30 @@ def test_sympy_gets_the_same_numbers():
         known[name] = float(expression.subs({sympy.Symbol(n, real=True): v for n, v in known.items()}))
     mine = form.evaluate(T[None])[0, 0]
     assert [known[f"theta{j}"] for j in range(1, 7)] == pytest.approx(list(mine), abs=1e-12)
+
+
+ACROSS = np.pi / 2
+#: Three joints of which one is to spare: rows (a, alpha, d) of the modified table, joint types, and what the axes do.
+SPARE = {
+    "the first meets two in one line": (
+        [(0, ACROSS, 0), (0, -ACROSS, 0), (0, 0, 0.1)],
+        "RRR",
+        "2 and 3 lie in one line",
+    ),
+    "two in one line meet the last": ([(0, 0, 0), (0, 0, 0.1), (0, ACROSS, 0.1)], "RRR", "1 and 2 lie in one line"),
+    "two in one line pass the first": ([(0, 0, 0), (0.2, 0.7, 0.1), (0, 0, 0.1)], "RRR", "2 and 3 lie in one line"),
+    "a turn and two parallel slides": ([(0, 0, 0.2), (0, -ACROSS, 0), (0, 0, 0)], "RPP", ""),
+}
+
+
+@pytest.mark.parametrize(("rows", "kinds", "fact"), SPARE.values(), ids=SPARE)
+def test_an_arm_of_three_joints_with_one_to_spare_has_its_formulas_and_its_axes_are_told(rows, kinds, fact):
+    rows = [pieper.DH(a=a, alpha=alpha, d=d) for a, alpha, d in rows]
+    arm = pieper.Arm.from_dh(rows, convention="modified", joint_types=kinds)
+    ik = arm.symbolic.ik()
+    check = ik.check(20)
+    assert ik.closed and ik.form.branches == 1 == arm.plan.count.most
+    assert check.poses == check.solutions == check.reproduced == check.real == check.valid == 20
+    said = " ".join(GeneralInverse(ik._arm, ik.plan).why())
+    assert fact in said and ("No three neighbouring" in said) == (not fact)
+    assert ("1, 2 and 3 meet in a point" in said) == (kinds == "RRR" and all(row.a == 0 for row in rows))

@@ -7,6 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 from scipy.optimize import least_squares, minimize
+from scipy.spatial.transform import Rotation
 
 import pieper
 from oracle.arms.known import free
@@ -94,6 +95,31 @@ def test_weights_trade_metres_for_radians():
     T[:3, 3] += [0.4, 0.1, 0.0]
     lazy, exact = arm.closest(T, task="pose", weights=(1.0, 10.0)), arm.closest(T, task="pose", weights=(10.0, 1e-4))
     assert lazy.radians < exact.radians and lazy.metres > exact.metres
+
+
+@pytest.mark.parametrize("weights", [(1.0, 1.0), (1.0, 0.3), (1.0, 0.1), (1.0, 0.01), (0.0, 1.0)])
+@pytest.mark.parametrize("name", ["denso-vp6242", "ur5e"])
+def test_weights_are_of_metres_and_of_radians(name, weights):
+    """Nothing near the answer, and no minimum of a search of another kind, has less of what the words say is least."""
+    arm = pieper.load(name)
+    middle, half = arm.limits.mean(1), np.ptp(arm.limits, axis=1) / 2
+    T = arm.fk(middle + 0.3 * half)
+    T[:3, 3] = 3.0, 0.2, 0.1
+    near = arm.closest(T, weights=weights)
+
+    def missed(q):
+        now = arm.fk(q)
+        turn = Rotation.from_matrix(T[:3, :3].T @ now[:3, :3]).as_rotvec()
+        return np.append(weights[0] * (now[:3, 3] - T[:3, 3]), weights[1] * turn)
+
+    low, high = arm.limits.T
+    own = float(np.sum(missed(near.q) ** 2))
+    assert own == pytest.approx((weights[0] * near.metres) ** 2 + (weights[1] * near.radians) ** 2, abs=1e-12)
+    rng = np.random.default_rng(1)
+    for start in [near.q, *rng.uniform(low, high, (4, arm.n))]:
+        start = np.clip(start, low + 1e-9, high - 1e-9)
+        found = least_squares(missed, start, bounds=(low, high), xtol=1e-14, ftol=1e-14, gtol=1e-14, max_nfev=150)
+        assert 2 * found.cost > own - 1e-8 * max(own, 1.0)
 
 
 @pytest.mark.parametrize("weights", [(1.0,), (0.0, 0.0), (-1.0, 1.0), (np.nan, 1.0), "near"])

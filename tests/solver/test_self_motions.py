@@ -9,6 +9,7 @@ import pytest
 
 import pieper
 from oracle.joints import turns_apart
+from pieper.solver.singular.self_motion import said
 
 #: An arm, a posture whose pose has self-motions, and the limits of every joint in half turns.
 CASES = {
@@ -155,3 +156,11 @@ def test_the_representative_of_two_axes_in_one_line_is_the_smallest_point_inside
         size = np.where(np.abs(sixth) <= 5.5, fourth[:, None] ** 2 + sixth**2, np.inf)
         least = fourth[np.unravel_index(np.argmin(size), size.shape)[0]]
         assert abs(motion.representative[3] - least) < 2e-4 and abs(motion.representative[5]) <= 5.5
+
+
+def test_what_is_rounding_is_said_as_zero_and_only_joints_that_move_are_named():
+    arm = pieper.load("denso-vp6242")
+    (motion,) = arm.ik(arm.fk("zero")).self_motions
+    assert motion.relation == "joint_4 + joint_6 = 0 deg"
+    assert repr(motion) == "<SelfMotion of joint_4, joint_6: closed, dimension 1>"
+    assert [said(value, "mm") for value in (-1e-13, 1e-12, -2.5, 1e-6)] == ["0 mm", "0 mm", "-2.5 mm", "1e-06 mm"]

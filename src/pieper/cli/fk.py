@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 import pieper
 from pieper.cli.arguments import joints as read_joints
-from pieper.cli.options import TakesNumbers, as_json, takes_arm, takes_units
+from pieper.cli.options import TakesNumbers, as_json, csv_file, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import print_pose, say, short
 from pieper.cli.status import DONE
@@ -20,7 +20,7 @@ from pieper.tolerances import LIMIT_SLACK
 @takes_arm
 @click.argument("joints", nargs=-1, required=True)
 @click.option("--frames", is_flag=True, help="Every frame on the way, not only the tool.")
-@click.option("--csv", metavar="FILE", default="", help="Write the poses of a table there.")
+@click.option("--csv", metavar="FILE", default="", callback=csv_file, help="Write the poses of a table there.")
 @as_json
 @takes_units
 def command(arm: pieper.Arm, joints: tuple[str, ...], frames: bool, csv: str, json: bool, units: Units) -> int:

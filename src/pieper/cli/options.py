@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import click
@@ -44,8 +45,34 @@ def _meant(word: str, known: list[str]) -> str:
 
 
 as_json = click.option("--json", is_flag=True, help="Print JSON, in metres and radians, for machines.")
+#: Endings of tables; a pipe or a device has none.
+TABLES = (".csv", ".tsv", ".txt", "")
+
+
+def csv_file(_context: click.Context, _option: click.Parameter, file: str) -> str:
+    """Return the name of a table to write.
+
+    Raises:
+        InputError: It is "-", which names no file, or its ending says that it is something else.
+    """
+    if file == "-":
+        raise pieper.InputError("--csv - names no file: give it a name, such as --csv rows.csv.", given=file)
+    ending = Path(file).suffix
+    if ending.lower() not in TABLES:
+        raise pieper.InputError(
+            f"{file}: a table is written as {' or '.join(TABLES[:-1])}, not as {ending!r}.",
+            given=ending,
+            allowed=TABLES,
+        )
+    return file
+
+
 as_csv = click.option(
-    "--csv", default="", metavar="FILE", help="Write the rows into this .csv, in the units asked for."
+    "--csv",
+    default="",
+    metavar="FILE",
+    callback=csv_file,
+    help="Write the rows into this .csv, in the units asked for.",
 )
 figure = click.option("--figure", default="", metavar="FILE", help="Draw into this .png, .svg or .pdf.")
 animate = click.option(

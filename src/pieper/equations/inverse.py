@@ -200,7 +200,9 @@ def _may_be_chosen(arm: Arm, task: str, chosen: tuple[int, ...]) -> bool:
 
 
 def _promising(arm: Arm, joint: int) -> bool:
-    """Whether three neighbouring axes meet or are parallel once this joint (1-based) is held at some value."""
+    """Whether three neighbouring axes meet or are parallel once this joint (1-based) is held, or few are left."""
+    if arm.n < 6:
+        return True
     geometry = look(arm.chain.locked(joint - 1, 0.37), ALIGNED)
     return bool(geometry.spherical) or any(len(group.joints) > 2 for group in geometry.parallel)
 

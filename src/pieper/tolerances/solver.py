@@ -65,6 +65,8 @@ CLOSEST_CRAWL = (1e-3, 0.2, 6.0)
 SAME_DESCENT = 1e-3
 #: Positions that are as near as this (per length) are alike, and the orientation decides: more than rounding leaves.
 ALIKE_NEAR = 1e-11
+#: Part of a turn's weight to which its chord counts as its angle does; sine over the angle where that is half a turn.
+COUNTED_IN_RADIANS, HALF_A_TURN = 1e-9, 1e-9
 #: Half the square of a distance (per length) that a few more steps take to rounding.
 REACHED_PLACE = 1e-12
 #: Distances (per length) of two descents that have come to the same place, or will.
@@ -203,3 +205,5 @@ BOX_NEARER = 1e-14
 BOX_REGULAR = 1e-12
 #: Step of a tangent's difference quotient, of the whole course: neither its cube nor rounding over it counts.
 COURSE_STEP = 1e-5
+#: A sum of joints in a self-motion's words that is smaller is rounding (deg; mm).
+SAID_AS_ZERO = 1e-9

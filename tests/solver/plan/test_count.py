@@ -8,6 +8,7 @@ import pytest
 import pieper
 from pieper.solver.counted import most_met
 from pieper.solver.plan.six_joints import sample_joints
+from pieper.words_by_number import plural
 
 Q = np.pi / 2
 #: joint types, rows (a, alpha, d, theta), task, what it is, the bound that is met.
@@ -90,7 +91,7 @@ def test_no_search_finds_more(kinds, rows, task, kind, most):
         assert 1 <= len(found) <= most
 
 
-def _everything(arm, T, task, starts):
+def _everything(arm, T, task, starts, held=()):
     """Every distinct solution that damped Newton from many starts comes to; independent of the solver's families."""
     count = 3 if task == "position" else 6
     q = starts.copy()
@@ -99,6 +100,7 @@ def _everything(arm, T, task, starts):
         now = arm.fk(q)
         error = np.concatenate([wanted[:, :3, 3] - now[:, :3, 3], _turn(now, wanted)], 1)[:, :count]
         J = arm.jacobian(q)[:, :count]
+        J[:, :, list(held)] = 0.0
         JJ = np.swapaxes(J, 1, 2) @ J + 1e-9 * np.eye(arm.n)
         step = np.linalg.solve(JJ, np.swapaxes(J, 1, 2) @ error[..., None])[..., 0]
         q = q + step * np.minimum(1.0, 0.5 / np.maximum(np.abs(step).max(1, keepdims=True), 1e-12))
@@ -132,6 +134,46 @@ def test_arms_of_the_catalogue_are_what_they_are(name, kind, most):
     plan = pieper.load(name).plan
     assert kind in plan.count.kind and plan.count.most == most == most_met(plan)
     assert f"at most {most} solution" in repr(plan)
+
+
+#: joint types, rows (a, alpha, d, theta), task, what it is, the bound (spare joints held), and what is met.
+SHORT = [
+    ("RR", [(0, Q, 0.1, 0), (0, 0, 0.1, 0)], "pose", "2 turns", 1, 1),
+    ("RR", [(0.3, 0.7, 0.1, 0), (0.2, 0, 0.1, 0)], "pose", "2 turns", 1, 1),
+    ("RR", [(0, Q, 0.1, 0), (0.2, 0, 0.1, 0)], "position", "two turns, for positions", 2, 2),
+    ("R", [(0.2, 0, 0.1, 0)], "position", "a single turn", 1, 1),
+    ("RRR", [(0.3, 0.7, 0.1, 0), (0.2, 0.5, 0.1, 0), (0, 0, 0.1, 0)], "pose", "3 turns", 2, 1),
+    ("RRR", [(0, Q, 0, 0), (0, Q, 0, 0), (0, 0, 0.1, 0)], "pose", "3 turns", 2, 2),
+    ("RRR", [(0.3, 0, 0.1, 0), (0.2, 0.5, 0.1, 0), (0, 0, 0.1, 0)], "pose", "3 turns", 1, 1),
+    ("PP", [(0, 0, 0.2, 0), (0, 0, 0, 0)], "pose", "1 freedom more", 1, 1),
+    ("PPP", [(0, 0, 0.2, 0), (0, Q, 0, 0), (0, 0, 0, 0)], "pose", "1 freedom more", 1, 1),
+    ("RPP", [(0, -Q, 0.2, 0), (0, 0, 0, 0), (0, 0, 0, 0)], "pose", "1 freedom more", 1, 1),
+    ("RRR", [(0, 0, 0, 0), (0, 0, 0.1, 0), (0, 0, 0.1, 0)], "pose", "2 freedoms more", 1, 1),
+    ("RRR", [(0, Q, 0, 0), (0, 0, 0, 0), (0.1, 0, 0.1, 0)], "pose", "1 freedom more", 1, 1),
+    ("RRRR", [(0.4, 0, 0, 0), (0.3, 0, 0, 0), (0.2, 0, 0, 0), (0.1, 0, 0, 0)], "pose", "1 freedom more", 2, 2),
+    ("RRRR", [(0, Q, 0, 0), (0, Q, 0, 0), (0, Q, 0, 0), (0, 0, 0.1, 0)], "pose", "1 freedom more", 2, 2),
+]
+
+
+@pytest.mark.parametrize(("kinds", "rows", "task", "kind", "most", "met"), SHORT)
+def test_short_arms_and_arms_with_joints_to_spare_are_counted_by_their_own_axes(kinds, rows, task, kind, most, met):
+    arm = made(kinds, rows)
+    plan = arm.plan_for(task)
+    assert kind in plan.count.kind and plan.count.most == most and most_met(plan) == met
+    said = plan.explain()
+    assert f"at most {plural(most, 'solution')}" in said
+    assert all(name in plan.count.argument for name in plan.redundancy)
+    starts = sample_joints(arm.chain, 200, seed=7)
+    held = list(plan.reduction.locked)
+    for q in sample_joints(arm.chain, 6, seed=3):
+        starts[:, held] = q[held]
+        assert 1 <= len(_everything(arm, arm.fk(q), task, starts, held)) <= most
+
+
+@pytest.mark.parametrize(("kinds", "rows", "task", "kind", "most", "met"), [a for a in SHORT if a[2] == "pose"])
+def test_the_derivation_of_a_short_arm_gives_no_larger_number(kinds, rows, task, kind, most, met):
+    form = made(kinds, rows).symbolic.ik().form
+    assert form is None or met <= form.branches <= most
 
 
 def test_where_the_bound_is_not_met_the_fullest_pose_is_told():

@@ -135,10 +135,11 @@ class GeneralInverse:
                 "step, no equation of it holds one unknown alone, so no formulas are given here."
             ]
         if self._arm.n < 6:
-            return ["No three neighbouring axes of this arm meet in a point or are parallel."]
+            return self._why_few()
+        held = " and ".join(self._symbol(j + 1).text() for j in self.chosen)
         said = [
             "A six-joint arm has a closed form when three neighbouring axes meet in one point or are parallel "
-            "(Pieper 1968). Here none do."
+            f"(Pieper 1968). {f'With {held} held' if held else 'Here'} none do."
         ]
         if meets:
             miss, label = min(meets)
@@ -152,6 +153,26 @@ class GeneralInverse:
                 f"The nearest to being parallel are axes {label}: they are {np.degrees(angle):.4g} degrees apart."
             )
         return said
+
+    def _why_few(self) -> list[str]:
+        """What neighbouring axes of an arm of fewer than six joints do, those that are chosen among them."""
+        geometry = look(self._arm.chain.uncoupled, MEETS)
+        how = [
+            f"axes {pair.first + 1} and {pair.first + 2} lie in one line"
+            for pair in geometry.pairs
+            if pair.relation == "coincident"
+        ]
+        for i in range(geometry.chain.n - 2):
+            if geometry.chain.prismatic[i : i + 3].any():
+                continue
+            label = f"axes {i + 1}, {i + 2} and {i + 3}"
+            if max(geometry.pairs[i].angle, geometry.pairs[i + 1].angle) < MEETS:
+                how.append(f"{label} are parallel")
+            elif geometry.common_point((i, i + 1, i + 2))[1] < MEETS:
+                how.append(f"{label} meet in a point")
+        if not how:
+            return ["No three neighbouring axes of this arm meet in a point or are parallel."]
+        return [f"On this arm {' and '.join(how)}; no order of steps was found that gives every joint a formula."]
 
     def write(self, page: Document) -> None:
         """Write what is true onto a page."""

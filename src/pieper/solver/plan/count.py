@@ -13,9 +13,11 @@ from itertools import pairwise
 import numpy as np
 
 from pieper.kinematics.arrays import Bools
+from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
+from pieper.solver.plan.holding import TRIED
 from pieper.solver.plan.plan import Count, Plan
-from pieper.solver.plan.six_joints import generic_rank
+from pieper.solver.plan.six_joints import generic_rank, with_task_joints
 from pieper.words_by_number import plural
 
 #: Turns and slides of the first three joints of a spherical wrist's arm, or of an arm for positions: solutions at most.
@@ -27,55 +29,84 @@ def count_of(plan: Plan) -> Count:
     """Return what kind of arm a plan solves and how many solutions a pose can have."""
     if plan.uncoupled is not None:
         return count_of(plan.uncoupled)  # the joints' numbers follow from the axes' values, one each
-    geometry, slides = plan.geometry, plan.nominal.prismatic
+    bound = None
+    if not plan.snapped:
+        bound = _with_spares_held(plan) if plan.redundancy else _own(plan.nominal, plan.geometry, plan.names, plan.task)
+    if bound is None or bound.most > plan.max_solutions:
+        turns = int((~plan.nominal.prismatic).sum())
+        kind = _plain_kind(plan.nominal, turns)
+        bound = Count(kind, plan.max_solutions, "the equation it is solved by has no more roots")
+    if not plan.redundancy:
+        return bound
+    spare = plural(len(plan.redundancy), "freedom")
+    kind = f"a redundant arm, which has {spare} more than the task needs"
+    return Count(kind, bound.most, f"with {' and '.join(plan.redundancy)} held, {bound.argument}")
+
+
+def _own(chain: Chain, geometry: Geometry, names: tuple[str, ...], task: str) -> Count | None:
+    """Count the solutions of an arm by its own axes; None where they say nothing, or where it has joints to spare."""
+    full, slides = with_task_joints(chain, task), chain.prismatic
+    if generic_rank(full) != full.n:
+        return None
+    if chain.n == 6:
+        return _six(geometry, slides)
     turns = int((~slides).sum())
-    if plan.redundancy:
-        held = " and ".join(plan.redundancy)
-        spare = plural(len(plan.redundancy), "freedom")
-        kind = f"a redundant arm, which has {spare} more than the task needs"
-        return Count(kind, plan.max_solutions, f"with {held} held, the equation it is solved by has no more roots")
-    found = None
-    full = plan.reduction.full
-    if generic_rank(full) == full.n and not plan.snapped:
-        if plan.n == 6:
-            found = _six(geometry, slides)
-        elif plan.task != "position+axis":
-            found = _short(plan, geometry, slides, turns)
-        elif full.n == 6:
-            # with the turn that the task leaves open it is an arm of six joints
-            found = _six(look(full, geometry.tolerance), full.prismatic)
-            found = None if found is None else replace(found, kind=_plain_kind(plan, turns))
-    if found is None or found.most > plan.max_solutions:
-        return Count(_plain_kind(plan, turns), plan.max_solutions, "the equation it is solved by has no more roots")
-    return found
+    if task != "position+axis":
+        return _short(chain, geometry, names, task)
+    # with the turn that the task leaves open it is an arm with one joint more
+    whole = look(full, geometry.tolerance)
+    found = _six(whole, full.prismatic) if full.n == 6 else _short(full, whole, (*names, "tool roll"), "pose")
+    return None if found is None else replace(found, kind=_plain_kind(chain, turns))
 
 
-def _plain_kind(plan: Plan, turns: int) -> str:
-    rank = generic_rank(plan.nominal)
-    made = f"{plural(turns, 'turn')}" + (f" and {plural(plan.n - turns, 'slide')}" if plan.n > turns else "")
-    return f"an arm of {made}" + (f" that can do {plural(rank, 'thing')} at once" if rank < plan.n else "")
+def _with_spares_held(plan: Plan) -> Count | None:
+    """Count what is left of an arm while its spare joints are held, at values of no special kind.
+
+    What is parallel, or meets in a point, at some of them is so at all.
+    """
+    reduction = plan.reduction
+    virtual = any(joint >= plan.n for joint in reduction.locked)
+    # where the task's own joints are solved for, the arm is counted without them: a wrist that is none has two ways
+    way, task = (reduction, "pose") if virtual else (replace(reduction, full=plan.nominal), plan.task)
+    names = tuple(plan.full_names[joint] for joint in range(way.full.n) if joint not in reduction.locked)
+    most: Count | None = None
+    for value in TRIED:
+        chain = way.with_locked(np.full(len(reduction.locked), value))
+        found = _own(chain, look(chain, plan.geometry.tolerance), names, task)
+        if found is None:
+            return None
+        most = found if most is None or found.most > most.most else most
+    return most
+
+
+def _plain_kind(chain: Chain, turns: int) -> str:
+    rank = generic_rank(chain)
+    made = f"{plural(turns, 'turn')}" + (f" and {plural(chain.n - turns, 'slide')}" if chain.n > turns else "")
+    return f"an arm of {made}" + (f" that can do {plural(rank, 'thing')} at once" if rank < chain.n else "")
 
 
 # ---------------------------------------------------------------------------------------------- fewer than six joints
 
 
-def _short(plan: Plan, geometry: Geometry, slides: Bools, turns: int) -> Count | None:
-    """Count an arm whose joints are all needed and fewer than six, or a three-joint arm for positions."""
+def _short(chain: Chain, geometry: Geometry, names: tuple[str, ...], task: str) -> Count | None:
+    """Count an arm whose joints are all needed and fewer than six, or an arm of up to three joints for positions."""
+    slides = chain.prismatic
+    turns = int((~slides).sum())
     if turns == 0:
         return Count("a gantry", 1, "its joints only slide, and their equations are linear")
     alike = _all_alike(geometry, ~slides)
-    if plan.task == "position":
+    if task == "position":
         return _for_positions(slides, turns, alike)
-    found = _planar(geometry, slides, turns) if alike else _around_a_plane(plan, slides)
-    if found is None and plan.n == 4 and slides.sum() == 3:
+    found = _planar(geometry, slides, turns) if alike else _around_a_plane(geometry, names, slides)
+    if found is None and chain.n == 4 and slides.sum() == 3:
         return Count("a gantry with one turn", 1, "the turn is read off the orientation, and the slides are linear")
-    if found is not None or plan.task != "pose":
+    if found is not None:
         return found
     few = None if alike else _few_turns(geometry, slides)
-    return few if few is not None or plan.n != 4 else _two_and_two(plan, turns)
+    return few if few is not None or chain.n != 4 else _two_and_two(chain, turns)
 
 
-def _two_and_two(plan: Plan, turns: int) -> Count:
+def _two_and_two(chain: Chain, turns: int) -> Count:
     """Count an arm of four joints that depend on each other nowhere but at singular poses.
 
     Displacements are points of a projective space of seven dimensions. What two joints do to a body is a quadric in a
@@ -88,7 +119,7 @@ def _two_and_two(plan: Plan, turns: int) -> Count:
         "its first two joints and its last two each hold the body between them on a quadric in a space of three "
         "dimensions, and the line that two such spaces have in common meets a quadric twice (Selig 2005)"
     )
-    return Count(_plain_kind(plan, turns), 2, why)
+    return Count(_plain_kind(chain, turns), 2, why)
 
 
 def _for_positions(slides: Bools, turns: int, alike: bool) -> Count | None:
@@ -98,9 +129,18 @@ def _for_positions(slides: Bools, turns: int, alike: bool) -> Count | None:
             2,
             "its slides taken out, one linear equation in the cosine and sine of its turn is left, with two roots",
         )
+    if turns == 1 and len(slides) == 1:
+        return Count("a single turn, for positions", 1, "a point comes by each place of its circle once")
     if alike and turns == 2:
         return Count(
             "an arm of two parallel turns, for positions", 2, "they put a point where two circles meet, a slide apart"
+        )
+    if turns == 2 and len(slides) == 2:
+        return Count(
+            "an arm of two turns, for positions",
+            2,
+            "how high a point is along the first axis, and how far from it, are linear in the cosine and sine of the "
+            "second turn, which leaves two values of it",
         )
     if len(slides) == 2 and turns == 1:
         return Count("an arm of a turn and a slide, for positions", 2, "a line meets a circle in at most two points")
@@ -132,28 +172,28 @@ def _planar(geometry: Geometry, slides: Bools, turns: int) -> Count | None:
     return Count(kind, 1, "the orientation says the sum of its turns, and the position says each of them")
 
 
-def _around_a_plane(plan: Plan, slides: Bools) -> Count | None:
+def _around_a_plane(geometry: Geometry, names: tuple[str, ...], slides: Bools) -> Count | None:
     """Count an arm with three turns in a row about parallel axes and one or two turns beside them."""
-    if slides.any() or plan.n not in (4, 5):
+    if slides.any() or len(slides) not in (4, 5):
         return None
-    for group in plan.geometry.parallel:
+    for group in geometry.parallel:
         if len(group.joints) != 3:
             continue
-        others = [j for j in range(plan.n) if j not in group.joints]
-        names = ", ".join(plan.names[j] for j in group.joints)
+        others = [j for j in range(len(slides)) if j not in group.joints]
+        common = ", ".join(names[j] for j in group.joints)
         if len(others) == 1:
             return Count(
                 "a planar arm on a turn",
                 2,
-                f"the orientation says where the common direction of {names} points, and so {plan.names[others[0]]}; "
+                f"the orientation says where the common direction of {common} points, and so {names[others[0]]}; "
                 "those three then place a point where two circles meet",
             )
         between = others[0] < group.joints[0] < others[1]
-        first, last = (plan.names[j] for j in others)
+        first, last = (names[j] for j in others)
         way = (
-            f"two values of {first} give the common direction of {names} its angle to the axis of {last}"
+            f"two values of {first} give the common direction of {common} its angle to the axis of {last}"
             if between
-            else f"two pairs of values of {first} and {last} turn the common direction of {names} where it must point"
+            else f"two pairs of values of {first} and {last} turn the common direction of {common} where it must point"
         )
         kind = "a planar arm between two turns" if between else "a planar arm and two turns"
         return Count(kind, 4, f"{way}, and for each those three place a point where two circles meet")
@@ -181,15 +221,25 @@ def _six(geometry: Geometry, slides: Bools) -> Count | None:
 
 
 def _few_turns(geometry: Geometry, slides: Bools) -> Count | None:
-    """Count an arm of two or three turns, each across the one before it, and slides, which leave the orientation."""
+    """Count an arm of two or three turns, each across the one before it, and slides, which leave the orientation.
+
+    Of three turns without a slide two neighbours may be parallel: the orientation says their sum and the third, and the
+    position, which goes round a circle, each of them.
+    """
     turning = np.flatnonzero(~slides)
     axes = geometry.chain.axes
-    if len(turning) not in (2, 3) or not slides.any():
+    if len(turning) not in (2, 3):
         return None
-    if any(1 - abs(axes[i] @ axes[j]) <= geometry.tolerance for i, j in pairwise(turning)):
-        return None
+    parallel = [1 - abs(axes[i] @ axes[j]) <= geometry.tolerance for i, j in pairwise(turning)]
     turns, slid = plural(len(turning), "turn"), plural(len(slides) - len(turning), "slide")
+    if any(parallel):
+        if slides.any() or all(parallel):
+            return None
+        why = "the orientation says the sum of its parallel turns and the other one, and the position says each of them"
+        return Count(f"an arm of {turns}", 1, why)
     ways, most = ("two ways", 2) if len(turning) == 3 else ("one way", 1)
+    if not slides.any():
+        return Count(f"an arm of {turns}", most, f"its turns have {ways} to an orientation")
     why = f"slides leave the orientation alone, its turns have {ways} to it, and the slides are then linear"
     return Count(f"an arm of {turns} and {slid}", most, why)
 

@@ -11,7 +11,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
-from pieper.solver.singular.self_motion import FREE, SelfMotion
+from pieper.solver.singular.self_motion import FREE, SelfMotion, said
 from pieper.tolerances import CURVE_STEP, HALF_TURN_EDGE, LIMIT_SLACK, NEARER_BY
 
 #: Whole turns of a joint without limits that are tried to either side of the nearest.
@@ -186,4 +186,5 @@ class LineMotion(SelfMotion):
         if len(self.free) != 2:
             return ""
         i, j = self.pair
-        return f"{self.names[i]} {'+' if self.sense > 0 else '-'} {self.names[j]} = {np.degrees(self.total):.6g} deg"
+        total = said(float(np.degrees(self.total)), "deg")
+        return f"{self.names[i]} {'+' if self.sense > 0 else '-'} {self.names[j]} = {total}"

@@ -10,7 +10,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import newton
-from pieper.solver.singular.self_motion import FREE, SelfMotion
+from pieper.solver.singular.self_motion import FREE, SelfMotion, said
 from pieper.tolerances import CURVE_RANK, JOINT_TURNS, LIMIT_SLACK, SLIDES_ALIKE, SLIDES_SHOWN, TINY
 
 
@@ -145,5 +145,5 @@ class SlideLine(SelfMotion):
         sign = -np.sign(self.way[i] * self.way[j])
         if abs(abs(self.way[i]) - abs(self.way[j])) > SLIDES_ALIKE:
             return ""
-        total = 1e3 * (self.through[i] + sign * self.through[j])
-        return f"{self.names[i]} {'+' if sign > 0 else '-'} {self.names[j]} = {total:.6g} mm"
+        total = said(1e3 * float(self.through[i] + sign * self.through[j]), "mm")
+        return f"{self.names[i]} {'+' if sign > 0 else '-'} {self.names[j]} = {total}"

@@ -25,6 +25,7 @@ from pieper.tolerances import (
     JOINT_TURNS,
     NO_LENGTH,
     ONE_OF_MANY,
+    SAID_AS_ZERO,
     SAME_VOUCHED,
     SLIDE_SHORTEST,
     TINY,
@@ -352,7 +353,8 @@ class SelfMotion:
         return bool(np.isfinite(self.limits[[*self.free]]).any() or not self.chain.prismatic[[*self.free]].any())
 
     def __repr__(self) -> str:
-        return f"<SelfMotion of {', '.join(self.names)}: {('open', 'closed')[self.closed]}, dimension {self.dimension}>"
+        moving = ", ".join(self.names[j] for j in self.free) or "no joint of the arm"
+        return f"<SelfMotion of {moving}: {('open', 'closed')[self.closed]}, dimension {self.dimension}>"
 
     def __str__(self) -> str:
         moving, relation = [self.names[j] for j in self.free], self.relation
@@ -371,9 +373,14 @@ class SelfMotion:
         for sign, symbol in ((1, "+"), (-1, "-")):
             total = self.samples[:, i] + sign * self.samples[:, j]
             if np.ptp(total) < CLOSED_TURN:
-                value = np.degrees(short_way(total[0]))
-                return f"{self.names[i]} {symbol} {self.names[j]} = {value:.6g} deg"
+                value = float(np.degrees(short_way(total[0])))
+                return f"{self.names[i]} {symbol} {self.names[j]} = {said(value, 'deg')}"
         return ""
+
+
+def said(value: float, unit: str) -> str:
+    """Say a number of degrees or millimetres to six digits, rounding as 0."""
+    return f"{0.0 if abs(value) < SAID_AS_ZERO else value:.6g} {unit}"
 
 
 #: Steps that bring a curve's parameter to the point beside a posture.

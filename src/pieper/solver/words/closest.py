@@ -25,10 +25,13 @@ from pieper.tolerances import (
     CLOSEST_BACK,
     CLOSEST_CRAWL,
     CLOSEST_STAGES,
+    COUNTED_IN_RADIANS,
+    HALF_A_TURN,
     NEWTON_DONE,
     PULLED_RANK,
     REACHED_PLACE,
     SAME_DESCENT,
+    TINY,
 )
 
 #: Postures looked at first; the best of them are where descents begin. The answer bounds the distance from above.
@@ -46,6 +49,8 @@ LED_BACK = 2
 ALIKE = 3
 #: Steps onto the position alone, from where a turn counted next to nothing.
 LAST_STEPS = 8
+#: Weights of a turn's chord that are tried until it counts as its angle does.
+IN_RADIANS = 40
 #: The postures looked at of each plan and their poses, as long as the plan is held.
 _LOOKED_AT: WeakKeyDictionary[Plan, tuple[Array, Array]] = WeakKeyDictionary()
 
@@ -68,8 +73,8 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     Args:
         plan: How the arm is solved, and for which task.
         T: (4, 4).
-        weights: (2,) what a metre and a radian count, whose squares are added up; None for position first, to rounding,
-            and then orientation.
+        weights: (2,) what a metre and a radian count, times what is missed of each, squared and added up; None for
+            position first, to rounding, and then orientation.
         seeds: (k, n) further postures to begin at.
 
     Raises:
@@ -86,9 +91,8 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     if weights is not None:
         by = _weighed(plan, weights)
         start = np.vstack([hill.starts(by), given])
-        steps = sum(steps for _, steps, _ in CLOSEST_STAGES)
-        q, left = nearer(hill.chain, start, T, hill.limits, np.full(len(start), by), steps)
-        q = q[np.argsort(left)[:1]]
+        q = hill.in_radians(start, by)
+        q = q[np.argmin(_cost(*hill.distances(q), by))][None]
     else:
         q = hill.onto_place(hill.found(given, turning))
     value, angle = hill.distances(q)
@@ -133,6 +137,37 @@ class _Hill:
         """Return postures (k, n) that are good where a turn counts so much."""
         away = _distances(self.chain, self.there, self.T)
         return self.looked[np.argsort(_cost(*away, turn), kind="stable")[:STARTS]]
+
+    def in_radians(self, q: Array, turn: float) -> Array:
+        """Return postures (k, n) that are least, each near by, where a turn counts so much: as the square of its angle.
+
+        Descents are of twice the square of the sine of half the angle, smooth at half a turn. Its slope is the other's
+        where it counts angle / sin(angle) times as much. The more it counts the smaller the angle is that is left, and
+        so the smaller that factor, which is why there is one such weight, and it lies between two.
+        """
+        steps = sum(steps for _, steps, _ in CLOSEST_STAGES)
+
+        def least(q: Array, counts: Array) -> tuple[Array, Array]:
+            q = nearer(self.chain, q, self.T, self.limits, counts, steps)[0]
+            angle = self.distances(q)[1]
+            return q, turn / np.maximum(np.sinc(angle / np.pi), HALF_A_TURN) - counts
+
+        low = np.full(len(q), turn)
+        if turn == 0 or not np.isfinite(turn):
+            return nearer(self.chain, q, self.T, self.limits, low, steps)[0]
+        q, over = least(q, low)
+        high, under = low + over, np.full(len(q), -np.inf)
+        for step in range(IN_RADIANS):
+            # the first time at the upper end; then where the line between the two crosses zero, or in the middle
+            line = low + (high - low) * over / np.maximum(over - under, TINY) if step % 3 else (low + high) / 2
+            at = high if step == 0 else line
+            q, more = least(q, at)
+            above = more > 0
+            low, over = np.where(above, at, low), np.where(above, more, over)
+            high, under = np.where(above, high, at), np.where(above, under, more)
+            if np.all(np.abs(more) <= COUNTED_IN_RADIANS * turn):
+                break
+        return q
 
     def found(self, given: Array, turning: bool) -> Array:
         """Return postures (k, n) of which one comes nearest, its position to a few steps; `given` (m, n) begin too."""
@@ -208,7 +243,7 @@ class _Hill:
 
 
 def _cost(value: Array, angle: Array, turn: float) -> Array:
-    return value**2 / 2 + turn * (1 - np.cos(angle)) if np.isfinite(turn) else angle
+    return value**2 + turn * angle**2 if np.isfinite(turn) else angle
 
 
 def _distances(chain: Chain, there: Array, T: Array) -> tuple[Array, Array]:
