@@ -193,7 +193,13 @@ def test_a_process_is_stopped_by_any_signal_and_goes_on(tmp_path, name):
         pipe = subprocess.PIPE
         source = os.pathsep.join([str(Path(pieper.__file__).parents[1]), os.environ.get("PYTHONPATH", "")])
         environment = os.environ | {"PYTHONPATH": source}
-        return subprocess.Popen(words, cwd=tmp_path, stdin=pipe, stderr=pipe, stdout=pipe, env=environment)
+
+        def heard() -> None:
+            signal.signal(signal.SIGHUP, signal.SIG_DFL)  # these tests may run where it is not
+
+        return subprocess.Popen(
+            words, cwd=tmp_path, stdin=pipe, stderr=pipe, stdout=pipe, env=environment, preexec_fn=heard
+        )
 
     first, reached = begin("out.csv"), tmp_path / "out.csv.part" / "reached.json"
     assert first.stdin is not None
