@@ -21,13 +21,16 @@ struct CarefulLook::Own {
   // What there is at a pose by the poses beside it that are solved for certain; false where those are too few.
   bool by_poses_beside(const Rigid& T, const double* rows, int count, Read& out) const {
     std::vector<SolvedBeside> beside;
-    for (int bunch = 0; bunch < FromAside::kBunches && static_cast<int>(beside.size()) < FromAside::kPoses; ++bunch)
-      if (!solved_beside(T, FromAside::kPoses * bunch, beside)) return false;
-    return static_cast<int>(beside.size()) >= FromAside::kPoses && from_aside(T, rows, count, beside, out);
+    bool both_ways = false;
+    auto enough = [&] { return both_ways && static_cast<int>(beside.size()) >= FromAside::kPoses; };
+    for (int bunch = 0; bunch < FromAside::kBunches && !enough(); ++bunch)
+      if (!solved_beside(T, bunch, beside, both_ways)) return false;
+    return enough() && from_aside(T, rows, count, beside, out);
   }
-  // Adds those of the next poses beside that are solved for certain; false where it was stopped.
-  bool solved_beside(const Rigid& T, int first, std::vector<SolvedBeside>& beside) const {
-    constexpr int kPoses = FromAside::kPoses;
+  // Adds those of a bunch of poses beside that are solved for certain, and tells whether two of them lie opposite each
+  // other; false where it was stopped.
+  bool solved_beside(const Rigid& T, int bunch, std::vector<SolvedBeside>& beside, bool& both_ways) const {
+    constexpr int kPoses = FromAside::kBunch;
     const int slots = solver.slots();
     Rigid aside[kPoses];
     double poses[16 * kPoses];
@@ -36,7 +39,7 @@ struct CarefulLook::Own {
     std::uint8_t flag[kPoses], outcome[kPoses];
     q.resize(6 * slots * kPoses), valid.resize(slots * kPoses), inside.resize(slots * kPoses);
     for (int k = 0; k < kPoses; ++k) {
-      aside[k] = FromAside::aside(T, first + k);
+      aside[k] = FromAside::aside(T, bunch, k);
       double* m = poses + 16 * k;
       for (int c = 0; c < 3; ++c) {
         for (int r = 0; r < 3; ++r) m[4 * r + c] = aside[k].r(r, c);
@@ -47,6 +50,8 @@ struct CarefulLook::Own {
     BadPose bad{};
     const Answers to = {q.data(), valid.data(), inside.data(), flag, outcome};
     if (solver.solve(poses, kPoses, 1, to, {}, bad, [](long) { return true; }) != Outcome::FINISHED) return false;
+    for (int k = 0; k < FromAside::kBack; ++k)
+      both_ways = both_ways || !((flag[k] | flag[FromAside::kPoses + k]) & kUncertain);
     for (int k = 0; k < kPoses; ++k) {
       if (flag[k] & kUncertain) continue;
       SolvedBeside one{aside[k], {}, 0};

@@ -2,7 +2,8 @@
 //
 // Poses at small generic steps beside it have a solution near every one of its own, and their elimination is clear. Where each of
 // their solutions follows from a row of the pose, by the row's Jacobian or, next to a fold, by what its weakest direction misses to second
-// order, nothing was lost and no self-motion is near: of such a one the poses beside have solutions anywhere along it. What
+// order, nothing was lost and no self-motion is near: of such a one the poses beside have solutions anywhere along it. A double root
+// that was lost shows on one side of its fold alone, where none of the steps may happen to lead: some are taken both ways. What
 // does not follow is left to the slower look. Scalar.
 #pragma once
 
@@ -23,8 +24,10 @@ struct SolvedBeside {
 
 class FromAside {
  public:
-  static constexpr int kPoses = 6;  // beside, solved for certain; of so many bunches of as many the certain ones count
-  static constexpr int kBunches = 4;
+  static constexpr int kPoses = 6;               // beside, solved for certain,
+  static constexpr int kBack = 2;                // of a bunch of as many steps so many are taken the other way too,
+  static constexpr int kBunch = kPoses + kBack;  // and one of them is certain both ways;
+  static constexpr int kBunches = 4;             // of so many bunches the certain ones count
   static constexpr std::size_t kMostCurves = 24;
   static constexpr double kMostWide = 100;
   static constexpr int kSlowSteps = 40;  // at merged roots each step only halves what is left
@@ -32,15 +35,17 @@ class FromAside {
   // most: solutions a pose can have
   FromAside(const SixJoints& arm, const Limits& limits, int most) : arm_(arm), limits_(limits), most_(most) {}
 
-  // A pose at the k-th generic small step beside T; the same ones every time.
-  static Rigid aside(const Rigid& T, int k) {
+  // The k-th pose of a bunch, at a generic small step beside T; the same ones every time. The last kBack lie opposite the first.
+  static Rigid aside(const Rigid& T, int bunch, int k) {
+    const bool back = k >= kPoses;
+    const int step = kPoses * bunch + (back ? k - kPoses : k);
     // parts of a turn by the golden ratio: no two of the steps are alike, and none is along an axis
     double twist[6], size = 0;
     for (int r = 0; r < 6; ++r) {
-      const double part = (6 * k + r + 1) * 0.6180339887498949;
+      const double part = (6 * step + r + 1) * 0.6180339887498949;
       twist[r] = 2 * (part - std::floor(part)) - 1, size += twist[r] * twist[r];
     }
-    for (double& x : twist) x *= kAsideStep / std::sqrt(size);
+    for (double& x : twist) x *= (back ? -kAsideStep : kAsideStep) / std::sqrt(size);
     const Vec3 way = {twist[0], twist[1], twist[2]}, turn = {twist[3], twist[4], twist[5]};
     const double angle = std::sqrt(dot(turn, turn)), s = std::sin(angle) / angle,
                  c = 2 * std::pow(std::sin(angle / 2) / angle, 2);
