@@ -1,9 +1,9 @@
 // The general solver's entry: every pose solved by the best variant, its certificate checked, and escalation where it fails.
 //
-// A pose is *settled* when the eigenvalues are all there, every real one has a verified solution of its own, no solution moved
-// far from its eigenvalue while being polished, and the solutions, double ones counted twice, are even in number. What is not
-// settled is solved again by other variants (another hidden joint, another direction), then in turned charts, then from
-// perturbed poses, until a settled attempt adds nothing. The work is bounded; what is still open then is flagged.
+// A pose is *settled* when the eigenvalues are all there and are the zeros of the determinant, every real one has a verified
+// solution of its own, no solution moved far from its eigenvalue while being polished, and the solutions, double ones counted twice,
+// are even in number. What is not settled is solved again by other variants (another hidden joint, another direction), then in turned
+// charts, then from perturbed poses, until a settled attempt adds nothing. The work is bounded; what is still open then is flagged.
 // Lanes first; what is not settled goes on one pose at a time.
 #pragma once
 
@@ -30,15 +30,16 @@ inline bool even(const Found& found) {
 inline bool trusted(const Variant& v, const Report& report) { return report.size > kGeneralTrusted * v.typical; }
 
 inline bool settled(const Report& report, const Found& found) {
-  return !report.doubtful && report.unresolved == 0 && report.lost == 0 && report.spread < kGeneralAccurate &&
-         even(found);
+  return !report.doubtful && !report.strayed && report.unresolved == 0 && report.lost == 0 &&
+         report.spread < kGeneralAccurate && even(found);
 }
 
 // A second opinion that added nothing. Special geometry gives some variants real eigenvalues without a solution, always; there
 // only the agreement counts.
 inline bool agreed(const Variant& v, const Report& report, const Found& found, int before) {
   if (found.count != before) return false;
-  return settled(report, found) || (v.open > 0 && !report.doubtful && report.lost == 0 && even(found));
+  return settled(report, found) ||
+         (v.open > 0 && !report.doubtful && !report.strayed && report.lost == 0 && even(found));
 }
 
 // Solutions of a neighbouring pose, polished onto this one.

@@ -57,6 +57,7 @@ template <class F> struct Eliminated {
   Equations<F> eq;
   F chart_c, chart_s;  // t = infinity lies half a turn away
   F largest;           // |determinant| there
+  F around[kRound];    // and around the circle
 };
 
 template <class F, int N> void eliminate_poses(const Model& model, const Variant& v, const RigidT<F>& pose,
@@ -81,8 +82,36 @@ template <class F, int N> void eliminate_poses(const Model& model, const Variant
     row_space<F, N>(left, v.layout, basis);
   }
   eliminate(left, out.right, v.layout, v.roles.prismatic[yr], v.roles.prismatic[xr], out.eq);
-  choose_chart<F, N>(out.eq, v.layout, out.chart_c, out.chart_s, out.largest);
+  choose_chart<F, N>(out.eq, v.layout, out.chart_c, out.chart_s, out.largest, out.around);
   compress<F, N>(out.eq, basis, v.layout, out.chart_c, out.chart_s, matrix);
+}
+
+// By how much the eigenvalues fail to be the zeros of the determinant, whose sizes around the circle are given, of the largest.
+//
+// The determinant is a constant times the product of sin((theta - theta_k) / 2), which rounding moves little where single
+// eigenvalues of a cluster are moved far: what a backward stable computation leaves is far below what an eigenvalue that has
+// lost its digits does to it.
+inline double strayed(int count, const double* re, const double* im, const double (&around)[kRound]) {
+  const double c1 = 0.92387953251128675613, s1 = 0.38268343236508977173, h = 0.70710678118654752440;
+  const double c[kRound] = {1, c1, h, s1, 0, -s1, -h, -c1}, s[kRound] = {0, s1, h, c1, 1, c1, h, s1};
+  double product[kRound] = {1, 1, 1, 1, 1, 1, 1, 1};
+  for (int i = 0; i < count; ++i) {
+    const double a = re[i], b = im[i], inv = 1 / (1 + a * a + b * b);
+    for (int k = 0; k < kRound; ++k) {
+      const double x = s[k] * a + c[k], y = s[k] * b;
+      product[k] *= (x * x + y * y) * inv;
+    }
+  }
+  int chart = 0;  // t is infinite there
+  for (int k = 1; k < kRound; ++k)
+    if (around[k] > around[chart]) chart = k;
+  double worst = 0;
+  for (int k = 1; k < kRound; ++k) {
+    const double there = around[(chart + k) % kRound] / around[chart];
+    const double d = __builtin_fabs(there - __builtin_sqrt(product[k] / product[0]));
+    if (!(d <= worst)) worst = d;
+  }
+  return worst;
 }
 
 // Hidden angles of one pose: all eigenvalues, as angles with imaginary parts.

@@ -111,15 +111,20 @@ template <class F, int N> F determinant(const Equations<F>& eq, int layout, F c,
   }
 }
 
-// The angle (of eight) where the matrix polynomial is farthest from singular becomes t = infinity.
-template <class F, int N> void choose_chart(const Equations<F>& eq, int layout, F& c, F& s, F& largest) {
+// Angles around the circle at which the determinant is taken.
+inline constexpr int kRound = 8;
+
+// The angle (of eight) where the matrix polynomial is farthest from singular becomes t = infinity. `around`: the determinants.
+template <class F, int N>
+void choose_chart(const Equations<F>& eq, int layout, F& c, F& s, F& largest, F (&around)[kRound]) {
   const double h = 0.70710678118654752440;
-  const double cs[8] = {1, h, 0, -h, -1, -h, 0, h}, sn[8] = {0, h, 1, h, 0, -h, -1, -h};
+  const double cs[kRound] = {1, h, 0, -h, -1, -h, 0, h}, sn[kRound] = {0, h, 1, h, 0, -h, -1, -h};
   largest = F(-1.0);
   c = F(1.0);
   s = F(0.0);
-  for (int k = 0; k < 8; ++k) {
+  for (int k = 0; k < kRound; ++k) {
     const F d = abs(determinant<F, N>(eq, layout, F(cs[k]), F(sn[k])));
+    around[k] = d;
     const auto better = d > largest;
     largest = select(better, d, largest);
     c = select(better, F(-cs[k]), c);  // t is infinite half a turn away from the chart angle

@@ -70,6 +70,7 @@ struct Report {
   int nearly;      // complex ones near enough to the real line to be tried as a double root
   int lost;        // eigenvalues, real or nearly, that share a regular solution with another, or have none
   bool doubtful;   // eigenvalues missing or the matrix meaningless
+  bool strayed;    // the eigenvalues are not the zeros of the determinant: they have lost their digits
   double spread;   // largest distance of an eigenvalue from the hidden angle of its polished solution
   double size;     // largest |determinant| met
 };
@@ -155,7 +156,12 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
   for (int i = 0; i < used; ++i) {
     const Spectrum all = spectrum(eigenvalues[i], re[i], im[i], lane(poses.chart_c, i), lane(poses.chart_s, i));
     const double size = lane(poses.largest, i);
-    report[i] = {0, 0, 0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), 0, size};
+    double around[kRound];
+    for (int k = 0; k < kRound; ++k) around[k] = lane(poses.around[k], i);
+    // a determinant that has lost its own digits is no measure
+    const bool astray =
+        size > kGeneralTrusted * v.typical && !(strayed(all.count, re[i], im[i], around) < kGeneralStrayed);
+    report[i] = {0, 0, 0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), astray, 0, size};
     for (int k = 0; k < all.count; ++k) {
       const double im = all.imaginary[k];
       if (im == 0) ++report[i].real;
