@@ -52,7 +52,11 @@ def test_a_joint_vector_that_was_once_lost_is_found_again(case):
     one, many = arm.ik(T, **chosen), arm.ik_many(T[None], threads=1, **chosen)
     free = [j for j in range(arm.n) if j not in held]
     # rounding of the pose moves a solution by about this much
-    sigma = polish(m, m.pose(T), m.inner(q[None]), rounds=0)[2][0] if len(free) == 6 else 1.0
+    sigma = 1.0
+    if len(free) == 6:
+        sigma = polish(m, m.pose(T), m.inner(q[None]), rounds=0)[2][0]
+    elif (task or arm.plan.task) == "position" and len(free) == 3:
+        sigma = np.linalg.svd(arm.jacobian(q)[:3] / m.unit, compute_uv=False)[-1]
     wide = 1e-6 + 1e-14 / max(sigma, 1e-300)
     on_motion = not held and any(motion.contains(q, 1e-5) for motion in one.self_motions)
     for rows in (one.all_q, many.q[0][many.valid[0]]):
