@@ -3,8 +3,7 @@
 // Poses at small generic steps beside it have a solution near every one of its own, and their elimination is clear. Where each of
 // their solutions follows from a row of the pose, by the row's Jacobian or, next to a fold, by what its weakest direction misses to second
 // order, nothing was lost and no self-motion is near: of such a one the poses beside have solutions anywhere along it. A double root
-// that was lost shows on one side of its fold alone, where none of the steps may happen to lead: some are taken both ways. What
-// does not follow is left to the slower look. Scalar.
+// that was lost shows on one side of its fold alone: some steps are taken both ways. What does not follow is left to the slower look. Scalar.
 #pragma once
 
 #include "dispatch/geometry.hpp"

@@ -132,7 +132,7 @@ def test_numpy_gives_the_native_rows(name, tmp_path):
     for k, pose in enumerate(no_poses()):
         with pytest.raises(ValueError, match=r"Ts\[0\] is no rigid motion"):
             solver.ik(pose)
-        with pytest.raises(ValueError, match=f"pose {k + 1} is no rigid motion"):
+        with pytest.raises(ValueError, match=rf"Ts\[{k + 1}\] is no rigid motion"):
             solver.ik_all(np.concatenate([T[: k + 1], pose[None]]))
     assert np.abs(solver.jacobian(q[:50]) - arm.jacobian(q[:50])).max() < 1e-12
     edges = np.round(q[:500] / (np.pi / 2)) * (np.pi / 2)
