@@ -11,8 +11,8 @@ DOUBLE_ROOT_APART, DOUBLE_ROOT_VANISHES = 1e-4, 1e-13
 LEADING_NONE = 1e-15
 #: An angle is the fraction of a degree that it misses by no more than this, relative.
 EXACT_DEGREES = 1e-11
-#: How far from the unit circle a root e^(i theta) may lie and still be real before it is polished, which decides: of four
-#: roots that nearly meet each is known to the fourth root of what the coefficients lost.
+#: How far from the unit circle a root e^(i theta) may lie and still be real before it is polished, which decides: of
+#: four roots that nearly meet each is known to the fourth root of what the coefficients lost.
 ON_UNIT_CIRCLE = 1e-2
 #: Harmonics of a characteristic polynomial below this part of the largest are none. How large the largest is says
 #: nothing: a determinant of twelve rows may be 1e-17 throughout and exact to fourteen digits.
