@@ -35,7 +35,8 @@ from pieper.tolerances import (
 
 #: Postures all over the joints' ranges from which a singular pose is sought that nothing else leads to.
 ALL_OVER = 80
-#: Poses beside one that vouch for it: more directions than a double root can hide in.
+#: Poses beside one that vouch for it. A double root shows on one side of its fold alone, so that one that neither the
+#: rows nor other starts lead to hides from all of them in one of 2**6 directions.
 VOUCHING = 6
 
 
