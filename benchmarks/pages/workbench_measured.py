@@ -11,8 +11,8 @@ HEAD = """\
 
 A server as a process of its own, a headless Chromium that draws WebGL in software, then fifty sessions at once and
 messages of every kind, over half of them broken. Measured by `python -m benchmarks.measure.workbench`, one part again
-by `--only PART`; written by `make pages`. The machine is measured in the same run (two fixed loops, the load): other work
-on it slows everything here alike.
+by `--only PART`; written by `make pages`. The machine is measured in the same run (two fixed loops, the load): other
+work on it slows everything here alike.
 
 """
 #: What the measurements are held against.
