@@ -92,7 +92,7 @@ def whole(value: Any, what: str, least: int, most: float = math.inf) -> int:
     Raises:
         InputError: No whole number, or one outside the bounds.
     """
-    wanted = f"a whole number from {least}" + (f" to {most:,.0f}" if math.isfinite(most) else "")
+    wanted = f"a whole number from {least}" + (f" to {most:z,.0f}" if math.isfinite(most) else "")
     if isinstance(value, (int, np.integer)) and not isinstance(value, bool) and least <= value <= most:
         return int(value)
     raise InputError(f"{what} must be {wanted}, got {kind_of(value)}.", given=value, allowed=wanted)

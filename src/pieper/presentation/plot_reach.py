@@ -84,7 +84,7 @@ def reach_figure(arm: Arm, *, points: np.ndarray | None = None, q: np.ndarray | 
     height = float(np.median(points[:, 2]))
     thick = 0.04 * float(np.ptp(points[:, 2])) + NO_DIRECTION
     near = np.abs(points[:, 2] - height) <= thick
-    title = f"from above, z = {height * MM:.0f} ± {thick * MM:.0f} mm"
+    title = f"from above, z = {height * MM:z.0f} ± {thick * MM:z.0f} mm"
     above = points[near][:, :2]
     if upright:
         above = _swept(arm, above - foot[:2], foot[:2])
