@@ -16,6 +16,7 @@ import click
 from pieper import PieperError
 from pieper.cli.status import DONE, INTERRUPTED, MISUSE
 from pieper.cli.stopping import Stopped, signals_interrupt
+from pieper.document.writing import NO_ROOM
 
 #: Optional packages and the extra that brings each.
 EXTRAS = {
@@ -41,6 +42,9 @@ def guarded(app: Callable[..., Any], arguments: list[str] | None) -> int:
         0 done, 1 no solution, 2 misuse, 130 interrupted, 128 and the signal's number where another ended it.
     """
     warnings.showwarning = _say_warning
+    if sys.stdout is None or sys.stderr is None:  # closed by who called: what would be said there is said to nobody
+        nobody = open(os.devnull, "w")
+        sys.stdout, sys.stderr = sys.stdout or nobody, sys.stderr or nobody
     if isinstance(sys.stdout, io.TextIOWrapper):
         # a terminal that knows no infinity sign still gets the numbers
         sys.stdout.reconfigure(errors="replace")
@@ -70,10 +74,19 @@ def guarded(app: Callable[..., Any], arguments: list[str] | None) -> int:
         cause = stop.__cause__ if isinstance(stop, click.Abort) else stop
         _say(str(cause or "") or "interrupted; nothing half written was left behind.")
         return cause.status if isinstance(cause, Stopped) else INTERRUPTED
-    except BrokenPipeError:
-        # the reader (head, less) has gone; keep the interpreter from complaining about it at exit
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except (BrokenPipeError, SystemExit):  # the reader (head, less) has gone; click leaves then
+        _say_no_more()
         return DONE
+    except OSError as error:
+        if error.errno not in NO_ROOM or error.filename is not None:
+            raise
+        _say_no_more()
+        return _misuse(f"cannot write: {error.strerror}. Free room there, or choose another.")
+
+
+def _say_no_more() -> None:
+    """Keep the interpreter from complaining at its end that what is left cannot be written."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _misuse(sentence: str) -> int:

@@ -229,6 +229,10 @@ class ReachMap:
     def _asked(self) -> str:
         """What was asked of an arm that cannot hold every pose."""
         plan = self.plan
+        if plan.description.linked:
+            return (
+                f"The whole pose was asked, of which the arm's {plural(plan.n, 'joint')} hold {plan.n} of 6 numbers. "
+            )
         if plan.task == "pose" and plan.reduction.fill:
             return (
                 f"The whole pose was asked, of which the arm's {plural(plan.n, 'joint')} hold {plan.rank} of 6 "
@@ -253,8 +257,17 @@ def task_of_samples(plan_for: Callable[[str | None], Plan], task: str | None, or
 
     A pose of six numbers taken at random is none that an arm of fewer joints holds: the map would be empty. An arm
     that does not hold every position either, as one that moves in a plane, is asked for positions all the same.
+
+    Raises:
+        InputError: A linkage holds the arm's tool, which sampled orientations know nothing of.
     """
     plan = plan_for(task)
+    if plan.description.linked and np.ndim(orientations) == 1:
+        raise InputError(
+            f"sampled orientations are none that {plan.name} holds, whose linkage guides its tool: give its own, "
+            "orientations= rotations (k, 3, 3), such as arm.fk(q)[..., :3, :3] of postures q.",
+            given=orientations,
+        )
     if task is None and plan.reduction.fill and np.ndim(orientations) == 1:
         for less in ("position+axis", "position"):
             try:
@@ -288,13 +301,21 @@ def reach_map(
     arguments.flag(measure, "measure")
     if executor is not None:
         arguments.like(Submits, executor, "executor", "one of concurrent.futures, or have a method submit")
-    grid = grid_of(box, step, orientations, plan.task, plan.chain.length)
-    if store is None and bytes_of(grid, measure) > MOST_BYTES:
-        raise InputError(
-            f"this map has {grid.count:,} voxels and {bytes_of(grid, measure) / 1e9:.3g} GB: give a store= or a larger "
-            "step.",
-            bytes=bytes_of(grid, measure),
-        )
+
+    def fits(voxels: int, turns: int) -> None:
+        if 72 * turns > MOST_BYTES:
+            raise InputError(
+                f"{turns:,} orientations of 72 bytes are {_gigabytes(72 * turns)}: give fewer.", bytes=72 * turns
+            )
+        size = bytes_of(voxels, turns, measure)
+        if store is None and size > MOST_BYTES:
+            raise InputError(
+                f"this map has {_count(voxels)} voxels with {plural(turns, 'orientation')} each, {_gigabytes(size)}: "
+                "give a store=, a larger step or fewer orientations.",
+                bytes=size,
+            )
+
+    grid = grid_of(box, step, orientations, plan.task, plan.chain.length, fits)
     question = question_of(plan, grid, symmetry, measure, around)
     per_tile = max(1, TILE_POSES // (len(grid.turns) * question.images.fold))
     kept = None if store is None else Store.opened(store, identity(question, per_tile))
@@ -316,6 +337,14 @@ def reach_map(
         if progress is not None:
             progress(done, tiles)
     return ReachMap(plan, grid, bits, solutions, whole.measures, question.words, around, len(missing))
+
+
+def _count(number: int) -> str:
+    return f"{number:,}" if number < 10**15 else f"{number:.3g}"
+
+
+def _gigabytes(size: int) -> str:
+    return f"{size / 1e9:,.0f} GB" if 1e11 <= size < 1e18 else f"{size / 1e9:.3g} GB"
 
 
 def tile_of(

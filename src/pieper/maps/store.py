@@ -15,7 +15,6 @@ import numpy as np
 from pieper import arguments
 from pieper.document.writing import whole_file
 from pieper.errors import InputError
-from pieper.maps.grid import Grid
 from pieper.maps.tile import MEASURES, Question, Tile
 
 #: Version of the layout; another one is refused, not guessed at.
@@ -70,6 +69,8 @@ class Store:
         try:
             folder.mkdir(parents=True, exist_ok=True)
             known = json.loads(page.read_text()) if page.exists() else None
+            if not isinstance(known, dict | None):
+                raise ValueError(f"{page.name} says of no map what it keeps")
         except (OSError, ValueError) as error:
             raise InputError(f"store: {folder} cannot be used: {error}.", path=folder) from None
         if known is None:
@@ -115,6 +116,6 @@ class Store:
         return self.folder / f"tile_{number:06d}.sha256"
 
 
-def bytes_of(grid: Grid, measure: bool) -> int:
-    """Return how many bytes a map takes in memory."""
-    return grid.count * (-(-len(grid.turns) // 8) + 8 * (1 + len(MEASURES) * measure))
+def bytes_of(voxels: int, turns: int, measure: bool) -> int:
+    """Return how many bytes a map of so many voxels and orientations takes in memory."""
+    return voxels * (-(-turns // 8) + 8 * (1 + len(MEASURES) * measure))
