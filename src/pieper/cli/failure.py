@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import re
@@ -16,7 +17,6 @@ import click
 from pieper import PieperError
 from pieper.cli.status import DONE, INTERRUPTED, MISUSE
 from pieper.cli.stopping import Stopped, signals_interrupt
-from pieper.document.writing import NO_ROOM
 
 #: Optional packages and the extra that brings each.
 EXTRAS = {
@@ -29,6 +29,9 @@ EXTRAS = {
     "uvicorn": "workbench",
     "websockets": "workbench",
 }
+
+#: What an output says that takes no more.
+NO_ROOM = (errno.ENOSPC, errno.EFBIG, errno.EDQUOT)
 
 
 def guarded(app: Callable[..., Any], arguments: list[str] | None) -> int:
@@ -95,6 +98,7 @@ def _misuse(sentence: str) -> int:
 
 
 #: What the library's sentences say of its arguments, and how a command is asked the same.
+_WORDS = {"give a store=, a larger step": "give --out DIR, a larger --step"}
 _OPTIONS = re.compile(r"\b(base|tip|missing_limits)=('[^']*'|\"[^\"]*\")?")
 _MILLIMETRES = re.compile(r"metres are meant\. Were these millimetres\? pieper\.pose\(\.\.\., mm=True\) takes them\.")
 
@@ -106,6 +110,8 @@ def as_typed(sentence: str) -> str:
         name, value = f"--{found[1].replace('_', '-')}", (found[2] or "")[1:-1]
         return f"{name} {value if value.isidentifier() else shlex.quote(value)}" if value else name
 
+    for library, command in _WORDS.items():
+        sentence = sentence.replace(library, command)
     cure = "are the numbers in the unit that --length says (mm where it says nothing)?"
     return _OPTIONS.sub(option, _MILLIMETRES.sub(cure, sentence))
 

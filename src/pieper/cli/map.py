@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
 import threading
 import time
@@ -50,7 +51,8 @@ def _watch_parent() -> None:
     # workers that were forked hold each other's ends of the pipe that shows it: whose child this is shows it as well
     while parent.is_alive() and os.getppid() == parent.pid:
         parent.join(1.0)
-    os._exit(1)
+    # what can be caught is caught where this was forked, and waits for the main thread
+    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
 
 
 @click.command("map", cls=TakesNumbers, short_help="Fill a box with answers: what the arm reaches.")

@@ -173,9 +173,9 @@ def _tried(plan: Plan) -> Array:
     lower, upper = plan.limits.T
     # the turn about zero, or, where the limits lie beyond it, the one that begins at the limit next to zero
     low = np.where(lower >= half, lower, np.where(upper <= -half, upper - 2 * half, -half))
-    far = ~(np.abs(plan.limits) <= DRAWN * half[:, None]).all(1)
+    near = np.asarray(np.abs(plan.limits) <= DRAWN * half[:, None], np.bool_).all(axis=1, keepdims=True)
     window = np.stack([np.maximum(lower, low), np.minimum(upper, low + 2 * half)], 1)
-    return np.where(far[:, None], window, plan.limits)
+    return np.where(near, plan.limits, window)
 
 
 def _asked(plan: Plan, own: Between, q: Array, T: Array) -> tuple[Array, Bools, Array]:

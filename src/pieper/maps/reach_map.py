@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, field, fields
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol, runtime_checkable
 from uuid import uuid4
@@ -21,7 +21,7 @@ from pieper.kinematics.pose import PoseLike, checked_pose, rotation_z
 from pieper.maps.around import Around
 from pieper.maps.export import export
 from pieper.maps.grid import Grid, grid_of
-from pieper.maps.store import Store, bytes_of, identity
+from pieper.maps.store import Store, identity, refuse_too_much
 from pieper.maps.tile import MEASURES, Question, Tile, question_of, reached_exactly, shares, solved
 from pieper.solver.plan.plan import Plan
 from pieper.words_by_number import plural
@@ -30,8 +30,6 @@ from pieper.words_by_number import plural
 TILE_POSES = 1_000_000
 #: Tiles an executor holds at a time.
 AHEAD = 64
-#: Bytes of a map that is refused without a store.
-MOST_BYTES = 10_000_000_000
 SYMMETRIES = ("auto", "none")
 #: What one orientation of a task is called.
 WORDS = {"pose": "orientation", "position+axis": "direction", "position": "place"}
@@ -301,20 +299,7 @@ def reach_map(
     arguments.flag(measure, "measure")
     if executor is not None:
         arguments.like(Submits, executor, "executor", "one of concurrent.futures, or have a method submit")
-
-    def fits(voxels: int, turns: int) -> None:
-        if 72 * turns > MOST_BYTES:
-            raise InputError(
-                f"{turns:,} orientations of 72 bytes are {_gigabytes(72 * turns)}: give fewer.", bytes=72 * turns
-            )
-        size = bytes_of(voxels, turns, measure)
-        if store is None and size > MOST_BYTES:
-            raise InputError(
-                f"this map has {_count(voxels)} voxels with {plural(turns, 'orientation')} each, {_gigabytes(size)}: "
-                "give a store=, a larger step or fewer orientations.",
-                bytes=size,
-            )
-
+    fits = partial(refuse_too_much, measure=measure, stored=store is not None)
     grid = grid_of(box, step, orientations, plan.task, plan.chain.length, fits)
     question = question_of(plan, grid, symmetry, measure, around)
     per_tile = max(1, TILE_POSES // (len(grid.turns) * question.images.fold))
@@ -337,14 +322,6 @@ def reach_map(
         if progress is not None:
             progress(done, tiles)
     return ReachMap(plan, grid, bits, solutions, whole.measures, question.words, around, len(missing))
-
-
-def _count(number: int) -> str:
-    return f"{number:,}" if number < 10**15 else f"{number:.3g}"
-
-
-def _gigabytes(size: int) -> str:
-    return f"{size / 1e9:,.0f} GB" if 1e11 <= size < 1e18 else f"{size / 1e9:.3g} GB"
 
 
 def tile_of(
