@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -88,24 +88,38 @@ def add_step(program: pieper.Program, step: object, n: int, at: str) -> None:
             program.move_c(via, pose(step.get("T"), f"{at}, T"), speed=speed, blend=blend)
 
 
+class Turn(NamedTuple):
+    """A step as it comes to be done: its place in the list from 0, what it says, and the step that calls it again."""
+
+    place: int
+    step: dict[str, Any]
+    caller: int | None = None
+
+    @property
+    def name(self) -> str:
+        """Return the step's number for a reader, and whose call it is done by."""
+        again = "" if self.caller is None else f" (called again by step {self.caller + 1})"
+        return f"step {self.place + 1}{again}"
+
+
 @dataclass(frozen=True)
 class Built:
     """A page's program as far as it can be gone.
 
     Attributes:
         program: Its steps, up to the one that cannot be done.
-        failed: That step, counted from 0, and the reason; None where all can.
-        done: Every step in the order it is done, with its place in the list counted from 0; what is called again is
-            there again, and what asks for where the arm is already is not.
-        idle: Places of steps that ask for where the arm is already.
+        failed: That step: its place from 0, its name and the reason; None where all can.
+        done: Every step in the order it is done; what is called again is there again, and what asks for where the arm
+            is already is not.
+        idle: Names of steps that ask for where the arm is already.
         left: The step that cannot be done and all that would follow, as `done`.
     """
 
     program: pieper.Program
     failed: dict[str, Any] | None
-    done: tuple[tuple[int, dict[str, Any]], ...]
-    idle: tuple[int, ...]
-    left: tuple[tuple[int, dict[str, Any]], ...]
+    done: tuple[Turn, ...]
+    idle: tuple[str, ...]
+    left: tuple[Turn, ...]
 
 
 def build(arm: pieper.Arm, message: dict[str, Any]) -> Built:
@@ -115,29 +129,29 @@ def build(arm: pieper.Arm, message: dict[str, Any]) -> Built:
         raise Refused(f"steps must be a list of 1 to {MAX_STEPS} steps.")
     limits = limits_of(message.get("limits"), arm.n)
     program = pieper.Program(arm, limits, start=vector(message.get("start"), arm.n, "start"))
-    done: list[tuple[int, dict[str, Any]]] = []
-    idle: dict[int, None] = {}
+    done: list[Turn] = []
+    idle: dict[str, None] = {}
     failed = None
     ordered = expanded(steps)
     tried = len(ordered)
-    for place, (k, step) in enumerate(ordered):
-        if _is_there(arm, program, step, f"step {k + 1}"):
-            idle[k] = None
+    for place, turn in enumerate(ordered):
+        if _is_there(arm, program, turn.step, turn.name):
+            idle[turn.name] = None
             continue
         try:
-            add_step(program, step, arm.n, f"step {k + 1}")
+            add_step(program, turn.step, arm.n, turn.name)
         except (pieper.NoSolutionError, pieper.InputError) as error:
-            failed, tried = {"step": k, "text": str(error)}, place
+            failed, tried = {"step": turn.place, "name": turn.name, "text": str(error)}, place
             break
-        done.append((k, step))
+        done.append(turn)
     return Built(program, failed, tuple(done), tuple(idle), tuple(ordered[tried:]))
 
 
-def expanded(steps: list[Any]) -> list[tuple[int, dict[str, Any]]]:
-    """Return steps with their places, calls replaced by what they call, in the frame of then."""
-    out: list[tuple[int, dict[str, Any]]] = []
+def expanded(steps: list[Any]) -> list[Turn]:
+    """Return steps as they come to be done, calls replaced by what they call, in the frame of then."""
+    out: list[Turn] = []
 
-    def put(first: int, last: int) -> None:
+    def put(first: int, last: int, caller: int | None) -> None:
         for k in range(first, last):
             step = steps[k]
             if not isinstance(step, dict):
@@ -147,13 +161,13 @@ def expanded(steps: list[Any]) -> list[tuple[int, dict[str, Any]]]:
                 begin = whole(step.get("first"), f"{at}, first", 1, k)
                 end = whole(step.get("last"), f"{at}, last", begin, k)
                 for _ in range(whole(step.get("times"), f"{at}, times", 1, MAX_TIMES)):
-                    put(begin - 1, end)
+                    put(begin - 1, end, k if caller is None else caller)
             else:
-                out.append((k, step))
+                out.append(Turn(k, step, caller))
             if len(out) > MAX_DONE:
                 raise Refused(f"The program does more than {MAX_DONE} steps when it calls some again; at most so many.")
 
-    put(0, len(steps))
+    put(0, len(steps), None)
     return out
 
 
@@ -186,7 +200,7 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
         "events": [[float(t), kind, value] for t, kind, value in motion.events],
         "tight": [asdict(x) | {"text": str(x)} for x in motion.tight],
         "margin": float(motion.margin),
-        "explain": "\n".join([program.explain(), *(f"Step {k + 1}: the arm is there already." for k in built.idle)]),
+        "explain": "\n".join([program.explain(), *(f"{name.capitalize()}: the arm is there already." for name in built.idle)]),
         "failed": built.failed,
         "clear": around.proved(arm, np.asarray(motion.q[kept], float), message.get("world")),
     }
@@ -198,7 +212,7 @@ def write(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     name = word(message.get("name", "program"), "name")
     built = build(arm, message)
     if built.failed is not None:
-        raise Refused(f"Step {built.failed['step'] + 1} cannot be written: {built.failed['text']}")
+        raise Refused(f"{built.failed['name'].capitalize()} cannot be written: {built.failed['text']}")
     with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
         path = Path(folder) / f"{name}{DIALECTS[dialect]}"
         built.program.write(path, dialect=dialect, name=name)

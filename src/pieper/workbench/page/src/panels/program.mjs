@@ -319,13 +319,18 @@ export const program = {
       if (failed) chosen = failed.step;
       verdict.say(
         failed
-          ? `Step ${failed.step + 1} cannot be done: ${failed.text}\nShown is what comes before it.`
+          ? `S${failed.name.slice(1)} cannot be done: ${failed.text}${m.duration > 0 ? '\nShown is what comes before it.' : ''}`
           : [m.explain, m.clear?.text].filter(Boolean).join('\n'),
         failed || m.clear?.verdict === 'HIT' ? 'wrong' : m.clear?.verdict === 'UNCERTAIN' ? 'note' : 'good',
       );
       binds.hidden = !m.tight.length;
       setText(binds.lastChild, m.tight.map((x) => x.text).join('\n'));
       rebuild();
+      // nothing has moved: there is no motion to show
+      if (!(m.duration > 0)) {
+        dock.show(null);
+        return;
+      }
       const events = m.events.map(([t, kind, value]) => ({
         x: t,
         s: 0,
