@@ -190,6 +190,7 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
         return {"stopped": True}
     motion = program.motion(rate=number(message.get("rate", 200), "rate", largest=1000))
     every = max(1, -(-len(motion.t) // MAX_SAMPLES))
+    idle = (f"{name.capitalize()}: the arm is there already." for name in built.idle)
     kept = np.unique(np.append(np.arange(0, len(motion.t), every), len(motion.t) - 1))
     return {
         "t": motion.t[kept].tolist(),
@@ -200,7 +201,9 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
         "events": [[float(t), kind, value] for t, kind, value in motion.events],
         "tight": [asdict(x) | {"text": str(x)} for x in motion.tight],
         "margin": float(motion.margin),
-        "explain": "\n".join([program.explain(), *(f"{name.capitalize()}: the arm is there already." for name in built.idle)]),
+        "explain": "\n".join(
+            [program.explain(), *(f"{name.capitalize()}: the arm is there already." for name in built.idle)]
+        ),
         "failed": built.failed,
         "clear": around.proved(arm, np.asarray(motion.q[kept], float), message.get("world")),
     }
