@@ -201,9 +201,7 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
         "events": [[float(t), kind, value] for t, kind, value in motion.events],
         "tight": [asdict(x) | {"text": str(x)} for x in motion.tight],
         "margin": float(motion.margin),
-        "explain": "\n".join(
-            [program.explain(), *(f"{name.capitalize()}: the arm is there already." for name in built.idle)]
-        ),
+        "explain": "\n".join([program.explain(), *idle]),
         "failed": built.failed,
         "clear": around.proved(arm, np.asarray(motion.q[kept], float), message.get("world")),
     }
