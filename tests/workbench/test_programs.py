@@ -52,3 +52,12 @@ def test_nothing_before_the_step_that_cannot_be_done_is_no_motion():
     said = ran(FAR, joints(THERE))
     assert said["failed"]["step"] == 0 and said["duration"] == 0
     assert ran(joints(THERE), FAR)["duration"] > 0
+
+
+def test_a_call_of_what_comes_after_it_is_where_the_program_ends():
+    call = {"kind": "call", "first": 2, "last": 3, "times": 1}
+    said = ran(joints(THERE), call, joints(START))
+    assert said["failed"]["name"] == "step 2" and "calls steps 2 to 3 again" in said["failed"]["text"]
+    assert said["duration"] > 0
+    script = "\n".join(snippet.program_lines(ARM, program(joints(THERE), call, joints(START)), around=False))
+    assert "# step 2 cannot be done" in script and "# program.move_j" in script

@@ -65,6 +65,9 @@ def add_step(program: pieper.Program, step: object, n: int, at: str) -> None:
         program.gripper(number(step.get("value"), f"{at}, value"))
     elif kind == "output":
         program.output(whole(step.get("port"), f"{at}, port", 0, 9999), bool(step.get("value")))
+    elif kind == "call":
+        wanted = f"steps {step['first']} to {step['last']}" if step["first"] < step["last"] else f"step {step['first']}"
+        raise pieper.InputError(f"it calls {wanted} again, and only what comes before it can be: move it down.")
     elif kind == "frame":
         program.frame(pose(step.get("T"), f"{at}, T"))
     else:
@@ -148,7 +151,7 @@ def build(arm: pieper.Arm, message: dict[str, Any]) -> Built:
 
 
 def expanded(steps: list[Any]) -> list[Turn]:
-    """Return steps as they come to be done, calls replaced by what they call, in the frame of then."""
+    """Return steps as they come to be done, in the frame of then: for a call what it calls, if that comes before it."""
     out: list[Turn] = []
 
     def put(first: int, last: int, caller: int | None) -> None:
@@ -158,9 +161,13 @@ def expanded(steps: list[Any]) -> list[Turn]:
                 raise Refused(f"step {k + 1} must be an object.")
             if step.get("kind") == "call":
                 at = f"step {k + 1}"
-                begin = whole(step.get("first"), f"{at}, first", 1, k)
-                end = whole(step.get("last"), f"{at}, last", begin, k)
-                for _ in range(whole(step.get("times"), f"{at}, times", 1, MAX_TIMES)):
+                begin = whole(step.get("first"), f"{at}, first", 1, len(steps))
+                end = whole(step.get("last"), f"{at}, last", begin, len(steps))
+                times = whole(step.get("times"), f"{at}, times", 1, MAX_TIMES)
+                if end > k:
+                    out.append(Turn(k, step, caller))
+                    continue
+                for _ in range(times):
                     put(begin - 1, end, k if caller is None else caller)
             else:
                 out.append(Turn(k, step, caller))

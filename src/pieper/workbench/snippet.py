@@ -98,7 +98,7 @@ def program_lines(arm: pieper.Arm, program: object, around: bool) -> list[str]:
     lines += [_called(turn, n) for turn in built.done]
     if built.failed is not None:
         lines.append(f"# {built.failed['name']} cannot be done: " + " ".join(built.failed["text"].split()))
-        lines += [f"# {_called(turn, n)}" for turn in built.left]
+        lines += [f"# {_called(turn, n)}" for turn in built.left if turn.step.get("kind") != "call"]
     lines += ["motion = program.motion()", "print(program.explain())"]
     return [*lines, "print(arm.clear(motion, scene).explain())"] if around else lines
 

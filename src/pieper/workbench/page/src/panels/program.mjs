@@ -6,7 +6,7 @@ import { armNumber, askArm } from '../library.mjs';
 import { remake } from '../numberfield.mjs';
 import { moveTo } from '../animate.mjs';
 import { motionOf } from '../curves.mjs';
-import { setProgram, setStart, start, programMessage, taughtAt, renumbered } from '../program.mjs';
+import { setProgram, setStart, start, programMessage, taughtAt, renumbered, misplaced } from '../program.mjs';
 import { stepEditor } from './program_step.mjs';
 import { limitFields } from './program_limits.mjs';
 import { kindOf } from './joints.mjs';
@@ -210,7 +210,8 @@ export const program = {
     }
 
     function row(s, k) {
-      const open = k === chosen;
+      const open = k === chosen,
+        reason = failed?.step === k ? failed.text : misplaced(s, k);
       const name = h(
         'button',
         {
@@ -244,7 +245,7 @@ export const program = {
       const el = h(
         'li',
         {
-          class: `step${failed?.step === k ? ' failed' : ''}${open ? ' open' : ''}`,
+          class: `step${reason ? ' failed' : ''}${open ? ' open' : ''}`,
           draggable: 'true',
           'data-testid': `step-row-${k + 1}`,
         },
@@ -256,7 +257,7 @@ export const program = {
           name,
           rowTools({ k, n: state.program.length, name: `step ${k + 1}`, move, remove }),
         ),
-        failed?.step === k ? h('p', { class: 'reason', text: failed.text }) : null,
+        reason ? h('p', { class: 'reason', text: reason }) : null,
         open ? editor(s, k) : null,
       );
       el.addEventListener('dragstart', (e) => {
