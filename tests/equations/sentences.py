@@ -15,7 +15,9 @@ from pieper.equations.derivation.degenerate import ELSEWHERE, FREE, IMPOSSIBLE, 
 
 POSES = 4
 SAME, MISSED = 1e-4, 1e-5
-MET = 1e-12  # of the usual size of what decides a step; true zeros are found below 1e-14, the smallest floor seen is 1e-9
+MET = (
+    1e-12  # of the usual size of what decides a step; true zeros are found below 1e-14, the smallest floor seen is 1e-9
+)
 __all__ = ["false_sentences", "random_arm"]
 
 

@@ -60,7 +60,7 @@ def test_an_arm_over_decades_says_nothing_false(number, joints):
 
 
 def test_what_comes_near_nothing_and_stays_above_it_is_impossible():
-    """(a2 + a3 c3)^2 + (d3 salpha2 - a3 calpha2 s3)^2 is 2.5e-4 of its usual size at theta3 = 0.75, and nowhere less."""
+    """(a2 + a3 c3)^2 + (d3 salpha2 - a3 calpha2 s3)^2 is 2.5e-4 of its usual size at 0.75, nowhere less."""
     arm, _ = random_arm(1008, 4)
     assert arm.symbolic.ik().form.cases[2].kind == "impossible"
     assert false_sentences(arm) == []
