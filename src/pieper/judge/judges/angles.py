@@ -46,7 +46,7 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
     if claim.get("unit") == "deg":
         nodes = [from_degrees(node.substitute(angles_among(ev.definitions))) for node in nodes]
     if len(nodes) > 2:
-        raise claim.error("is: two branches at most stand in a list; a sign +- goes with each of them")
+        raise claim.error("is: two branches at most stand in a list; a sign +- goes with each of them", "is")
     node = nodes[0] if len(nodes) == 1 else either_of(*nodes)
     claim = claim.reads(
         f"{name} = {' or '.join(right_side(ev, str(text), angle) for text in printed)}"

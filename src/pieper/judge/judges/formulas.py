@@ -47,7 +47,7 @@ def judge_entry(ev: Evidence, claim: Claim) -> Verdict:
     with under("of"):
         wanted = value_of(product, ev.samples.frames)
     if wanted.ndim != 1:
-        raise claim.error(f"{claim['of']!r} is a whole matrix; say which entry, as in {claim['of']}[1,4]")
+        raise claim.error(f"{claim['of']!r} is a whole matrix; say which entry, as in {claim['of']}[1,4]", "of")
     text = right.strip() if written_out else claim["is"]
     return judge_equal(ev, claim.reads(f"{claim['of']} = {text}"), node, wanted, product=product)
 

@@ -28,7 +28,7 @@ def judge_limit(ev: Evidence, claim: Claim) -> Verdict:
     model, joint = ev.model, claim.joint(ev.model.n)
     low, high = (float(v) for v in claim["range_deg"])
     if low >= high:
-        raise claim.error(f"range_deg must be [lower, upper], got {claim['range_deg']}")
+        raise claim.error(f"range_deg must be [lower, upper], got {claim['range_deg']}", "range_deg")
     path = claim.get("path")
     if not isinstance(path, dict) or "from" not in path or "to" not in path:
         raise claim.error("a limit is judged against a path; give path = { from = [x, y, z], to = [x, y, z] }")

@@ -93,7 +93,7 @@ def judge_pose(ev: Evidence, claim: Claim) -> Verdict:
 
     shape = _value(product, model, q).shape
     if len(shape) < 2 or len(printed) > shape[0] or len(printed[0]) > shape[1]:
-        raise claim.error(f"{product} has the shape {shape}; the {len(printed)} rows printed do not fit it")
+        raise claim.error(f"{product} has the shape {shape}; the {len(printed)} rows printed do not fit it", "of")
     first = reading(model, q)
     given = claim.get("q_deg", claim.get("q", claim.get("q_rad")))
     unit = " deg" if "q_deg" in claim else ""

@@ -38,9 +38,9 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
         texts = step["is"] if isinstance(step["is"], list) else [step["is"]]
         lines.append(f"{name} = " + " or ".join(map(str, texts)))
         if not ANGLE.match(str(angle)):
-            raise claim.error(f"a step solves for one joint, not for {name}")
+            raise claim.error(f"a step solves for one joint, not for {name}", "steps")
         if str(angle) in given:
-            raise claim.error(f"two steps give {name}; branches of one joint stand in its list")
+            raise claim.error(f"two steps give {name}; branches of one joint stand in its list", "steps")
         given.add(str(angle))
         where = {**claim.where, **step.where}
         grown = []
@@ -52,7 +52,8 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
                 missing = (used | {f"theta{j}" for joints in picked.values() for j in joints}) - set(known)
                 if missing:
                     raise claim.error(
-                        f"the step for {name} uses {', '.join(sorted(missing))}, which no step before it gives"
+                        f"the step for {name} uses {', '.join(sorted(missing))}, which no step before it gives",
+                        "steps",
                     )
                 env = {**fixed, **known}
                 env |= {letter: _letter(ev, letter, rows, env) for letter in picked}
@@ -61,9 +62,9 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
                     grown.append({**known, str(angle): value if slides else wrapped(value)})
         candidates = grown
         if len(candidates) > MAX_COMBINATIONS:
-            raise claim.error(f"more than {MAX_COMBINATIONS} combinations of branches")
+            raise claim.error(f"more than {MAX_COMBINATIONS} combinations of branches", "steps")
     if any(len(c) != n for c in candidates):
-        raise claim.error(f"the steps give {len(candidates[0])} of {plural(n, 'joint')}")
+        raise claim.error(f"the steps give {len(candidates[0])} of {plural(n, 'joint')}", "steps")
     claim = claim.reads("; ".join(lines))
     task = claim.get("task")
     found, truth = _closing(ev, rows, candidates, task), _existing(ev, rows, task or "pose")

@@ -39,7 +39,7 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     T = np.vstack([pose.value, [0.0, 0.0, 0.0, 1.0]])
     solutions = claim.get("solutions_deg")
     if not solutions:
-        raise claim.error("solutions_deg must list at least one joint vector")
+        raise claim.error("solutions_deg must list at least one joint vector", "solutions_deg")
     lines, bad = [], 0
     parts = [claim.part(f"{claim.id} solution {k + 1}", {"q_deg": row}) for k, row in enumerate(solutions)]
     given = [Interval(read_joints(part, model), joint_units(part, model)) for part in parts]

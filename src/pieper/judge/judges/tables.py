@@ -72,7 +72,8 @@ def judge_errors(ev: Evidence, claim: Claim) -> Verdict:
     widths = {len(r[k]) for r in claim["rows"] for k in ("reference", "simulation")}
     if widths != {len(claim["percent"])}:
         raise claim.error(
-            f"rows: every reference and simulation must have {len(claim['percent'])} numbers, one a key of percent"
+            f"rows: every reference and simulation must have {len(claim['percent'])} numbers, one a key of percent",
+            "rows",
         )
     reference = np.array([[read_number(v) for v in r["reference"]] for r in claim["rows"]])
     simulated = np.array([[read_number(v) for v in r["simulation"]] for r in claim["rows"]])
