@@ -234,6 +234,17 @@ def test_single_numbers_are_read_right_too(name, kind):
                 arm.calibrate(a, b, kind=kind, sigma=NOISE)
 
 
+@pytest.mark.parametrize(("name", "joint"), [("denso-vp6242", 0), ("adept-cobra-600", 1)])
+def test_senses_that_distances_do_not_tell_apart_are_both_named(name, joint):
+    arm, rng = pieper.load(name), np.random.default_rng(3)
+    q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (90, arm.n))
+    far = np.linalg.norm(arm.fk(q)[:, :3, 3] - [0.3, 0.4, 0.1], axis=1)
+    q[:, joint] *= -1
+    with pytest.raises(pieper.InputError, match="does not show which") as refused:
+        arm.calibrate(q, far, kind="distance")
+    assert arm.joint_names[joint] in refused.value.data["alike"] and len(refused.value.data["alike"]) > 1
+
+
 def test_heights_that_are_noise_alone_are_a_plane_that_was_touched():
     arm, rng = pieper.load("universal-robots-ur5e"), np.random.default_rng(8)
     flat = [pieper.pose(*rng.uniform([-0.5, 0.2, 0.1], [0.5, 0.6, 0.1]), rpy=(np.pi, 0.2, a)) for a in range(120)]

@@ -16,7 +16,7 @@ from pieper.calibration.units import of_one_size, units_of
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import inverse
-from pieper.tolerances import CURED, MISREAD, SUSPICIOUS
+from pieper.tolerances import CURED, LEAST_NOISE, MISREAD, SUSPICIOUS
 
 #: Rows by which joints and measurements may be out of step.
 LAGS = (1, -1, 2, -2, 3, -3, 4, -4, 5, -5)
@@ -51,7 +51,8 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
         return
     best, least_by = None, MISREAD * now
     for reading in _readings(model, q, data, names, length):
-        left = misfit(model, reading.q, reading.data, length)
+        # data without noise say no more than these: which of several is nearer is rounding then
+        left = max(misfit(model, reading.q, reading.data, length), LEAST_NOISE)
         # an arm that is itself off leaves that much in any reading
         if not (left < max(SUSPICIOUS, MISREAD**2 * now) and left * reading.freedom < least_by):
             continue
@@ -59,6 +60,7 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
         if left < most or (reading.units_alone and of_one_size(model.fk(reading.q), reading.data, left)):
             best, least_by = reading, left * reading.freedom
     if best is not None:
+        best = _or_another_joint(model, best, _readings(model, q, data, names, length), least_by, length)
         before, after = missed(model, q, data), missed(model, best.q, best.data)
         raise InputError(
             f"the data miss the nominal arm by {_said(before)} (median), and by {_said(after)} if "
@@ -67,6 +69,28 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
             left=after[0],
             **best.facts,
         )
+
+
+def _or_another_joint(
+    model: AxesModel, best: Reading, others: Iterator[Reading], left: float, length: float
+) -> Reading:
+    """Return the reading with all joints named whose sense explains the data as well: distances show no mirror."""
+    if best.data.kind not in ("distance", "plane") or not best.words.endswith("the other way"):
+        return best
+    alike = [
+        str(other.facts["joint"])
+        for other in others
+        if "joint" in other.facts
+        and other.words.endswith("the other way")
+        and misfit(model, other.q, other.data, length) < max(SEVERAL * left, SUSPICIOUS / 10)
+    ]
+    if len(alike) < 2:
+        return best
+    either = " or ".join(alike)
+    cure = "What was measured does not show which: see it at the arm, and give that joint's values with the other sign."
+    return replace(
+        best, words=f"{either} moves the other way", cure=cure, facts={"joint": best.facts["joint"], "alike": alike}
+    )
 
 
 def missed(model: AxesModel, q: Array, data: Measurements) -> tuple[float, float | None]:

@@ -98,7 +98,13 @@ def _misuse(sentence: str) -> int:
 
 
 #: What the library's sentences say of its arguments, and how a command is asked the same.
-_WORDS = {"give a store=, a larger step": "give --out DIR, a larger --step"}
+_WORDS = {
+    "give a store=, a larger step": "give --out DIR, a larger --step",
+    "hold= what is known, or fit fewer joint_terms": "--hold what is known, or fit fewer --terms",
+}
+_DEGREES = re.compile(
+    r" holds [-+.e\d]+, taken as radians; more than \d+ rad looks like degrees\. Use np\.radians.*meant\."
+)
 _OPTIONS = re.compile(r"\b(base|tip|missing_limits)=('[^']*'|\"[^\"]*\")?")
 _MILLIMETRES = re.compile(r"metres are meant\. Were these millimetres\? pieper\.pose\(\.\.\., mm=True\) takes them\.")
 
@@ -110,6 +116,9 @@ def as_typed(sentence: str) -> str:
         name, value = f"--{found[1].replace('_', '-')}", (found[2] or "")[1:-1]
         return f"{name} {value if value.isidentifier() else shlex.quote(value)}" if value else name
 
+    sentence = _DEGREES.sub(
+        " makes many whole turns: are the numbers in the unit that --angle says (deg where it says nothing)?", sentence
+    )
     for library, command in _WORDS.items():
         sentence = sentence.replace(library, command)
     cure = "are the numbers in the unit that --length says (mm where it says nothing)?"

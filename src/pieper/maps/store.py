@@ -7,6 +7,7 @@ import io
 import json
 import os
 from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,10 @@ from pieper.errors import InputError
 from pieper.maps.tile import MEASURES, Question, Tile
 from pieper.words_by_number import plural
 
+try:
+    VERSION = version("pieper")
+except PackageNotFoundError:  # a source tree that was not installed
+    VERSION = ""
 #: Version of the layout; another one is refused, not guessed at.
 LAYOUT = 4
 #: Bytes of a map that is refused without a store.
@@ -34,6 +39,7 @@ def identity(question: Question, per_tile: int) -> dict[str, Any]:
         arm.update(np.ascontiguousarray(plan.chain.coupling).tobytes())
     return {
         "layout": LAYOUT,
+        "pieper": VERSION,
         "arm": plan.name,
         "arm_sha256": arm.hexdigest(),
         "task": plan.task,
