@@ -151,7 +151,7 @@ class _Writer(Typesetter):
         self.files[name] = item.drawing.pdf()
         return (
             "\\begin{figure}[!htbp]\n\\centering\n"
-            rf"\includegraphics[width={min(item.width, 1.0):.2f}\linewidth]{{{name}}}"
+            rf"\includegraphics[width={min(item.width, 1.0):z.2f}\linewidth]{{{name}}}"
             "\n" + rf"\caption{{{self.line(item.caption)}}}" + "\n\\end{figure}"
         )
 

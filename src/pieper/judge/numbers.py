@@ -59,7 +59,7 @@ def misprint(printed: Any, right: float) -> str:
     text = as_text(printed)
     step = last_digit(printed)
     decimals = max(0, -_exponent(text))
-    correct = f"{right:.{decimals}f}"
+    correct = f"{right:z.{decimals}f}"
     if cut_off(printed, right):
         return f"the last digit cut off, not rounded ({correct})"
     if abs(read_number(printed) - right) < step:
@@ -85,22 +85,22 @@ def misprint(printed: Any, right: float) -> str:
             and a[differ[1]] == b[differ[0]]
         ):
             return f"two digits exchanged ({correct})"
-    more = f"{right:.{decimals + 1}f}".lstrip("-")
-    less = f"{right:.{max(decimals - 1, 0)}f}".lstrip("-")
+    more = f"{right:z.{decimals + 1}f}".lstrip("-")
+    less = f"{right:z.{max(decimals - 1, 0)}f}".lstrip("-")
     for k in range(len(more)):
         if more[:k] + more[k + 1 :] == a:
-            return f"a digit lost ({f'{right:.{decimals + 1}f}'})"
+            return f"a digit lost ({f'{right:z.{decimals + 1}f}'})"
     for k in range(len(a)):
         if a[:k] + a[k + 1 :] == less:
-            return f"a digit too many ({f'{right:.{max(decimals - 1, 0)}f}'})"
+            return f"a digit too many ({f'{right:z.{max(decimals - 1, 0)}f}'})"
     return ""
 
 
 def _without_point(text: str, right: float) -> str:
     """The right number with a whole number's digits, "" where no place of the point makes them its own."""
     for decimals in range(1, len(text.lstrip("-")) + 1):
-        if f"{right:.{decimals}f}".replace(".", "").lstrip("-0") == text.lstrip("-0") != "":
-            return f"{right:.{decimals}f}" if (right < 0) == text.startswith("-") else ""
+        if f"{right:z.{decimals}f}".replace(".", "").lstrip("-0") == text.lstrip("-0") != "":
+            return f"{right:z.{decimals}f}" if (right < 0) == text.startswith("-") else ""
     return ""
 
 

@@ -87,7 +87,7 @@ def reach_figure(arm: Arm, *, points: np.ndarray | None = None, q: np.ndarray | 
     thick = 0.04 * float(np.ptp(points[:, 2])) + NO_DIRECTION
     near = np.abs(points[:, 2] - height) <= thick
     flat = round(thick * MM) == 0
-    title = f"from above, z = {height * MM:.0f}" + ("" if flat else f" ± {thick * MM:.0f}") + " mm"
+    title = f"from above, z = {height * MM:z.0f}" + ("" if flat else f" ± {thick * MM:z.0f}") + " mm"
     above = points[near][:, :2]
     if upright:
         above = _swept(arm, above - foot[:2], foot[:2])

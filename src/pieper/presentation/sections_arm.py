@@ -30,7 +30,7 @@ def fixed(value: float, digits: int = 3) -> str:
     """Return a number with at most so many digits, no trailing zeros, no negative zero, infinity as a sign."""
     if not np.isfinite(value):
         return "∞" if value > 0 else "−∞"
-    text = f"{round(float(value), digits) + 0.0:.{digits}f}"
+    text = f"{float(value):z.{digits}f}"
     text = text.rstrip("0").rstrip(".") if "." in text else text
     return text.replace("-", "−")
 

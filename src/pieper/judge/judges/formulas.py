@@ -135,7 +135,7 @@ def judge_equal(
     if region:
         return claim.partly(f"Holds only where {region}.", **said)
     if good.mean() > 0.1:
-        share = f"{100 * good.mean():.0f}% of the joint vectors"
+        share = f"{100 * good.mean():z.0f}% of the joint vectors"
         return claim.partly(f"Holds at {share} only; no simple region was found.", **said)
     sentence = f"Wrong: right at {int(good.sum())} of {len(good)} joint vectors."
     if vanish:

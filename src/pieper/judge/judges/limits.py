@@ -109,7 +109,7 @@ def judge_bounds(ev: Evidence, claim: Claim) -> Verdict:
     if fine.all():
         said = f"Inside at {tried} of {tried} random joint vectors, and outside at one that was searched for; {met}."
         return claim.partly(said, details, right=right, tried=tried)
-    share = f"{100 * fine.mean():.0f}% of the joint vectors"
+    share = f"{100 * fine.mean():z.0f}% of the joint vectors"
     return claim.partly(f"Inside at {share} only; {met}.", details, right=right, tried=tried)
 
 

@@ -75,7 +75,7 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
         positions = _closing(ev, rows, candidates, "position"), _existing(ev, rows, "position")
         if positions[1] is not None and np.array_equal(positions[0], positions[1]):
             (found, truth), said = positions, 'position (task = "position" says so; not of a pose with its orientation)'
-    spread = ", ".join(f"{v} at {100 * np.mean(found == v):.0f}%" for v in sorted(set(found.tolist())))
+    spread = ", ".join(f"{v} at {100 * np.mean(found == v):z.0f}%" for v in sorted(set(found.tolist())))
     there = "how many there are was not checked"
     if truth is not None:
         there = "there are " + " or ".join(map(str, sorted(set(truth.tolist()))))
@@ -95,7 +95,7 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
     if not found.any():
         return claim.wrong(f"Wrong: finds no solution at any of {len(rows)} {what}s.", details)
     none = np.mean(found == 0)
-    rest = f", none at {100 * none:.0f}% of them" if none else ""
+    rest = f", none at {100 * none:z.0f}% of them" if none else ""
     least, most = int(found.min()), int(found.max())
     number = plural(most, "solution") if least == most else f"{least} to {plural(most, 'solution')}"
     missing = f", {there}" if truth is not None else f"; {there}"

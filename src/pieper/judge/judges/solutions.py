@@ -52,7 +52,7 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
         turn = 0.0 if position else _rotation_between(got[:3, :3], pose.value[:, :3])
         fine = reaches(model, joints, pose, position=position)
         bad += not fine
-        reached = "" if fine else f"; it reaches ({', '.join(f'{v:.3f}' for v in got[:3, 3])})"
+        reached = "" if fine else f"; it reaches ({', '.join(f'{v:z.3f}' for v in got[:3, 3])})"
         words = "closes" if fine else "is NO solution"
         said = f"position off by {gap:.{3 if fine else 6}g} {unit}" + (
             "" if position else f", orientation by {turn:.1g} deg"
