@@ -94,6 +94,7 @@ def as_typed(sentence: str) -> str:
         return f"{name} {value if value.isidentifier() else shlex.quote(value)}" if value else name
 
     cure = "are the numbers in the unit that --length says (mm where it says nothing)?"
+    sentence = sentence.replace(", or say another with name=", "")
     return _OPTIONS.sub(option, _MILLIMETRES.sub(cure, sentence))
 
 
