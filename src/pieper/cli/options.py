@@ -187,7 +187,8 @@ def _limit(arm: pieper.Arm, units: Units, name: str, text: str) -> Any:
     for j, value in enumerate(values):
         if value <= 0:
             which = f" of {arm.joint_names[j]}" if len(values) > 1 else ""
-            cure = "no joint is held still by its limits" if name in _LIMITS else "leave it out for none"
+            must = name in ("speed", "acceleration")
+            cure = "no joint is held still by its limits" if must else "leave it out for none"
             raise pieper.InputError(f"{option}{which} must be more than zero, got {value:g}; {cure}.", given=values)
     if name in _LIMITS:
         return np.broadcast_to(np.array(values), (arm.n,)) * units.of_joints(arm)

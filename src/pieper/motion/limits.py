@@ -124,7 +124,9 @@ def _positive(value: object, what: str) -> Array:
     if bad.any():
         which = f" of joint {int(np.argmax(bad)) + 1}" if array.ndim else ""
         number = float(array[bad][0] if array.ndim else array)
-        cure = "no limit is said by a large number" if np.isposinf(number) else HELD_JOINT
+        cure = "leave it out for none" if what == "jerk" else HELD_JOINT
+        if not number <= 0:
+            cure = "no limit is said by a large number" if np.isposinf(number) else "say how much"
         raise InputError(
             f"{what}{which} must be finite and more than zero, {unit}, got {number:g}; {cure}.",
             given=number,

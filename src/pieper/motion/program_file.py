@@ -203,8 +203,9 @@ def _limits(said: Any, scale: Array, arm: ProgramArm, name: str) -> Limits:
         for joint, number in zip(arm.plan.names, row.tolist(), strict=True):
             if number <= 0:
                 which = f" of {joint}" if isinstance(value, list) else ""
+                cure = "leave it out for none" if key == "jerk" else HELD_JOINT
                 raise InputError(
-                    f"{name}: {key}{which} must be more than zero, {unit}, got {number:g}; {HELD_JOINT}.", given=row
+                    f"{name}: {key}{which} must be more than zero, {unit}, got {number:g}; {cure}.", given=row
                 )
         out[key] = row * scale
     missing = [key for key in ("speed", "acceleration") if key not in given]
