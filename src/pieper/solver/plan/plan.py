@@ -19,6 +19,7 @@ from pieper.kinematics.newton import missed, scaled_jacobian
 from pieper.kinematics.pose import pose_error
 from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import SixJointSolver, without_far_ends
+from pieper.solver.plan.beside import arms_beside
 from pieper.solver.plan.cuspidal import Cuspidal, never, search
 from pieper.solver.plan.prepared import UNLIMITED, Prepared, solver_of
 from pieper.solver.plan.six_joints import Reduction, refilled, sample_joints, with_task_joints
@@ -231,6 +232,12 @@ class Plan:
             except PlanError:
                 continue
         return tuple(made)
+
+    @cached_property
+    def arms_beside(self) -> tuple[SixJointSolver, ...]:
+        """Solvers of arms a little off this one, where every elimination of its own vanishes; none elsewhere."""
+        vanish = self.whole and not self.spec.info.get("certified", True)
+        return arms_beside(self.reduction.full) if vanish else ()
 
     @cached_property
     def solvers(self) -> Prepared:

@@ -12,6 +12,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.bounded_motion import bounded_motion
 from pieper.solver.redundant.stops import stops
+from pieper.solver.redundant.surface import as_one
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
@@ -33,7 +34,7 @@ CHUNK = 256
 
 
 def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ...]:
-    """Trace every self-motion of a pose of a redundant arm.
+    """Trace every self-motion of a pose of a redundant arm; of several joints to spare all that holds the pose is one.
 
     A sweep over the first redundant coordinate (the others stay) meets every curve that reaches over more than a
     slice's width. A curve that lies between two slices is small in that coordinate; it is met by free approach (see
@@ -70,7 +71,8 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
                 more = more[~on_curve(other, more)]
             seeds = np.concatenate([seeds, more])
         seeds = seeds[~on_curve(motion, seeds)]
-    return tuple(bounded_motion(motion, ends) for motion in motions)
+    bounded = tuple(bounded_motion(motion, ends) for motion in motions)
+    return bounded if spare == 1 else as_one(bounded)
 
 
 def _within(plan: Plan, T: Array, motion: SelfMotion) -> Array:
