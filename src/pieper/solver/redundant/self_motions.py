@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed
 from pieper.solver.arm_rows import full_rows
 from pieper.solver.kernel_rows import Solved
@@ -25,6 +26,8 @@ DRAWS, MOST_MOTIONS = 60, 24
 #: Slides without limits make curves without end: how far these are followed; and the points of all curves together at
 #: which tracing ends.
 ENDLESS_STEPS, MOST_SAMPLES = 250, 12000
+#: Lengths of the arm that slides of a seed may be drawn out at the most, where there are seeds with less.
+ENDLESS_FAR = 20.0
 #: Where several coordinates are redundant the solutions form a surface: lines followed on it, and how far.
 MOST_LINES, LINE_STEPS = 8, 60
 #: A self-motion that takes less than this part of the redundant coordinate's range is small.
@@ -56,6 +59,7 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
     # shows the way, and `dimension` says the rest
     endless = bool((full.prismatic & ~np.isfinite(plan.full_limits).all(1)).any())
     curve_steps = ENDLESS_STEPS if endless else MOST_STEPS
+    seeds = _nearest_first(full, seeds) if endless else seeds
     most, steps = (MOST_MOTIONS, curve_steps) if spare == 1 else (MOST_LINES, LINE_STEPS)
     traced = 0
     while len(seeds) and len(motions) < most and traced < MOST_SAMPLES:
@@ -73,6 +77,17 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
         seeds = seeds[~on_curve(motion, seeds)]
     bounded = tuple(bounded_motion(motion, ends) for motion in motions)
     return bounded if spare == 1 else as_one(bounded)
+
+
+def _nearest_first(chain: Chain, seeds: Array) -> Array:
+    """Return seeds (m, n) whose slides are drawn in the most first, without those that curves only pass far out.
+
+    Of a curve without end slices of a turning joint meet ever farther points; told one by one as far as each is
+    followed, they would be many curves and leave no room for others.
+    """
+    out = np.abs(seeds[:, chain.prismatic]).max(1) / chain.length
+    near = out < ENDLESS_FAR
+    return seeds[np.argsort(out, kind="stable")[: int(near.sum()) or len(seeds)]]
 
 
 def _within(plan: Plan, T: Array, motion: SelfMotion) -> Array:
