@@ -21,7 +21,7 @@ from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import SixJointSolver, without_far_ends
 from pieper.solver.plan.beside import arms_beside
 from pieper.solver.plan.cuspidal import Cuspidal, never, search
-from pieper.solver.plan.prepared import UNLIMITED, Prepared, solver_of
+from pieper.solver.plan.prepared import UNLIMITED, Prepared
 from pieper.solver.plan.six_joints import Reduction, refilled, sample_joints, with_task_joints
 from pieper.tolerances import RANK
 from pieper.words_by_number import plural
@@ -223,15 +223,23 @@ class Plan:
         return SixJointSolver(six, self.spec, limits, ends)
 
     @cached_property
-    def refilled(self) -> tuple[tuple[SixJointSolver, Indices], ...]:
-        """Solvers of the arm filled up with other virtual joints, and which of the six are real; singular elsewhere."""
+    def _refillings(self) -> tuple[tuple[Prepared, Indices], ...]:
+        return tuple((Prepared(way.six, MOST_SOLVERS), way.real) for way in refilled(self.reduction))
+
+    def refilled_at(self, values: Array) -> tuple[tuple[SixJointSolver, Indices], ...]:
+        """Return solvers of other fillings, locked joints at values (k,), and which of the six joints are real."""
         made: list[tuple[SixJointSolver, Indices]] = []
-        for way in refilled(self.reduction):
+        for prepared, real in self._refillings:
             try:
-                made.append((solver_of(way.six(self.defaults)), way.real))
+                made.append((prepared.at(tuple(values.tolist())), real))
             except PlanError:
                 continue
         return tuple(made)
+
+    @cached_property
+    def refilled(self) -> tuple[tuple[SixJointSolver, Indices], ...]:
+        """The same where no joint is locked, for poses at which the first filling is singular; none elsewhere."""
+        return () if self.reduction.locked else self.refilled_at(np.zeros(0))
 
     @cached_property
     def arms_beside(self) -> tuple[SixJointSolver, ...]:

@@ -76,7 +76,8 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
             seeds = np.concatenate([seeds, more])
         seeds = seeds[~on_curve(motion, seeds)]
     bounded = tuple(bounded_motion(motion, ends) for motion in motions)
-    return bounded if spare == 1 else as_one(bounded)
+    # all of it is a surface where several joints are to spare, and at some poses of an arm with one
+    return as_one(bounded) if spare > 1 or all(motion.dimension > 1 for motion in bounded) else bounded
 
 
 def _nearest_first(chain: Chain, seeds: Array) -> Array:

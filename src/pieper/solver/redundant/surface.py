@@ -1,4 +1,4 @@
-"""What holds a pose where several joints are to spare: all such postures, told as one and shown by lines on them."""
+"""What holds a pose of a redundant arm in several degrees of freedom: all of it as one, shown by lines on it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ONTO = 12
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Surface(BoundedMotion):
-    """Every posture that holds a pose of an arm with several joints to spare.
+    """Every posture that holds a pose of a redundant arm, where these have several degrees of freedom.
 
     Its pieces are not told apart: of several degrees of freedom no list of lines says which hang together. Samples,
     intervals and points are those of one line on it, inside the limits where any is.
@@ -68,7 +68,7 @@ class Surface(BoundedMotion):
 
 
 def as_one(lines: tuple[BoundedMotion, ...]) -> tuple[BoundedMotion, ...]:
-    """Return lines on what holds a pose of an arm with several joints to spare as the one thing they are."""
+    """Return lines on what holds a pose in several degrees of freedom as the one thing they are."""
     if not lines:
         return ()
     shown = next((line for line in lines if line.inside), lines[0])
