@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any
@@ -226,20 +226,18 @@ class Plan:
     def _refillings(self) -> tuple[tuple[Prepared, Indices], ...]:
         return tuple((Prepared(way.six, MOST_SOLVERS), way.real) for way in refilled(self.reduction))
 
-    def refilled_at(self, values: Array) -> tuple[tuple[SixJointSolver, Indices], ...]:
-        """Return solvers of other fillings, locked joints at values (k,), and which of the six joints are real."""
-        made: list[tuple[SixJointSolver, Indices]] = []
+    def refilled_at(self, values: Array) -> Iterator[tuple[SixJointSolver, Indices]]:
+        """Yield solvers of other fillings, locked joints at values (k,), and which of the six joints are real."""
         for prepared, real in self._refillings:
             try:
-                made.append((prepared.at(tuple(values.tolist())), real))
+                yield prepared.at(tuple(values.tolist())), real
             except PlanError:
                 continue
-        return tuple(made)
 
     @cached_property
     def refilled(self) -> tuple[tuple[SixJointSolver, Indices], ...]:
         """The same where no joint is locked, for poses at which the first filling is singular; none elsewhere."""
-        return () if self.reduction.locked else self.refilled_at(np.zeros(0))
+        return () if self.reduction.locked else tuple(self.refilled_at(np.zeros(0)))
 
     @cached_property
     def arms_beside(self) -> tuple[SixJointSolver, ...]:
