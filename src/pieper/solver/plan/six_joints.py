@@ -19,6 +19,7 @@ from pieper.kinematics.arrays import Array, Indices, median
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import scaled_jacobian, singular_values
 from pieper.kinematics.pose import inverse, rotation_about, transform
+from pieper.solver.plan.unlike import unlike
 from pieper.tolerances import RANK
 
 TASKS = ("pose", "position", "position+axis")
@@ -273,7 +274,7 @@ def refilled(way: Reduction) -> tuple[Reduction, ...]:
     """
     if not way.fill:
         return ()
-    held = way.with_locked(np.full(len(way.locked), SOME_VALUE)) if way.locked else way.full
+    held = way.with_locked(unlike(len(way.locked), SOME_VALUE)) if way.locked else way.full
     count, sliding = len(way.fill), int(held.prismatic.sum())
     kinds = (False, True, None) if count + sliding <= 3 else (False, False, None)
     return tuple(
@@ -285,7 +286,7 @@ def _way(chain: Chain, task: str, full: Chain, locked: tuple[int, ...], rank: in
     way = Reduction(chain, task, full, tuple(locked), ())
     if rank == 6:
         return way
-    held = way.with_locked(np.full(len(locked), SOME_VALUE))
+    held = way.with_locked(unlike(len(locked), SOME_VALUE))
     return replace(way, fill=_filling(held, 6 - rank, full.n > chain.n))
 
 
