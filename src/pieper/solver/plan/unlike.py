@@ -17,9 +17,9 @@ def unlike(count: int, value: float) -> Array:
 
     No two alike: equal turns about parallel axes make up for each other.
     """
-    return value * (1 + GOLDEN * np.arange(count))
+    return np.asarray(value * (1 + GOLDEN * np.arange(count)), np.float64)
 
 
 def unlike_parts(count: int, part: float) -> Array:
     """Return parts (count,) of joints' limits at which these stand nowhere special, the first at `part`."""
-    return (part + GOLDEN * np.arange(count)) % 1.0
+    return np.asarray((part + GOLDEN * np.arange(count)) % 1.0, np.float64)

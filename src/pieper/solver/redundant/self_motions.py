@@ -59,7 +59,7 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
     # shows the way, and `dimension` says the rest
     endless = bool((full.prismatic & ~np.isfinite(plan.full_limits).all(1)).any())
     curve_steps = ENDLESS_STEPS if endless else MOST_STEPS
-    seeds = _nearest_first(full, seeds) if endless else seeds
+    seeds = _nearest_first(full, seeds, plan.full_limits) if full.prismatic.any() else seeds
     most, steps = (MOST_MOTIONS, curve_steps) if spare == 1 else (MOST_LINES, LINE_STEPS)
     traced = 0
     while len(seeds) and len(motions) < most and traced < MOST_SAMPLES:
@@ -80,14 +80,16 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
     return as_one(bounded) if spare > 1 or all(motion.dimension > 1 for motion in bounded) else bounded
 
 
-def _nearest_first(chain: Chain, seeds: Array) -> Array:
+def _nearest_first(chain: Chain, seeds: Array, limits: Array) -> Array:
     """Return seeds (m, n) whose slides are drawn in the most first, without those that curves only pass far out.
 
     Of a curve without end slices of a turning joint meet ever farther points; told one by one as far as each is
-    followed, they would be many curves and leave no room for others.
+    followed, they would be many curves and leave no room for others. Limits are no end of a curve.
     """
-    out = np.abs(seeds[:, chain.prismatic]).max(1) / chain.length
-    near = out < ENDLESS_FAR
+    ends = np.abs(limits[chain.prismatic])
+    far = max(ENDLESS_FAR * chain.length, 2 * float(np.where(np.isfinite(ends), ends, 0.0).max()))
+    out = np.abs(seeds[:, chain.prismatic]).max(1)
+    near = out < far
     return seeds[np.argsort(out, kind="stable")[: int(near.sum()) or len(seeds)]]
 
 
