@@ -230,11 +230,15 @@ def settled(plan: Plan, T: Array, found: Examined, flag: int) -> int:
         return flag
     if plan.direct and not found.self_motions and found.multiplicity.sum() > plan.max_solutions:
         return flag | int(Flag.UNCERTAIN)
-    doubted = flag & Flag.UNCERTAIN and not vouched(plan, T, found.q, found.self_motions)
+    # Newton's method leads back to a root of more than two branches as near as rounding parts them, and no nearer
+    within = np.where(found.multiplicity > 2, UNFOLDING_WIDEST, SAME_VOUCHED)
+    doubted = flag & Flag.UNCERTAIN and not vouched(plan, T, found.q, found.self_motions, within)
     return flag if doubted else flag & ~int(Flag.UNCERTAIN)
 
 
-def vouched(plan: Plan, T: Array, rows: Array, motions: Sequence[SelfMotion] = ()) -> bool:
+def vouched(
+    plan: Plan, T: Array, rows: Array, motions: Sequence[SelfMotion] = (), within: Array | float = SAME_VOUCHED
+) -> bool:
     """Whether six poses beside T, each solved for certain, have no other solutions than rows (m, n) and self-motions.
 
     A solution of T in a regular posture has one of every pose beside it, near its own; a merged root of some of them.
@@ -247,7 +251,7 @@ def vouched(plan: Plan, T: Array, rows: Array, motions: Sequence[SelfMotion] = (
     if back is None:
         return False
     if len(rows):
-        back = back[plan.chain.joints.apart(back[:, None], rows[None]).min(1) >= SAME_VOUCHED]
+        back = back[(plan.chain.joints.apart(back[:, None], rows[None]) >= within).all(1)]
     return all(any(motion.contains(q, SAME_VOUCHED) for motion in motions) for q in back)
 
 
