@@ -74,6 +74,18 @@ def test_a_turn_taken_by_hand_is_found(tmp_path, monkeypatch):
     assert {v.what for v in house.turns_by_hand()} == {"(x + np.pi) % (2 * np.pi)", "x % TURN"}
 
 
+def test_fixed_decimals_have_no_negative_zero():
+    # a format with "z" writes what rounds to zero as 0.0, not as -0.0
+    bare = []
+    for path in house.SOURCE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.FormattedValue) and node.format_spec is not None:
+                spec = ast.unparse(node.format_spec)[2:-1]
+                if re.search(r"\.(\d+|\{.*\})f$", spec) and "z" not in spec:
+                    bare.append(f"{path.name}:{node.lineno} {spec}")
+    assert not bare, "\n".join(bare)
+
+
 def test_a_circle_is_found(monkeypatch):
     arrows = {"a": {"b"}, "b": {"c"}, "c": {"a"}, "d": {"a"}, "e": set()}
     monkeypatch.setattr(house, "graph", lambda: arrows)

@@ -1,8 +1,17 @@
-"""One adapter a contestant; run inside the contestant's own environment by worker.py."""
+"""One adapter a contestant; worker.py runs it in the contestant's own environment, where only NumPy is sure."""
+
+from dataclasses import dataclass
 
 import numpy as np
 
-from oracle.arms.tables import GENERAL_ARMS, TABLES
+
+@dataclass(frozen=True)
+class Case:
+    """What a contestant is given: an arm's name and table, and whether its geometry is a general one."""
+
+    arm: str
+    table: np.ndarray  # (6, 3): d, a, m; alpha, rad
+    general: bool
 
 
 class Pieper:
@@ -10,10 +19,10 @@ class Pieper:
 
     batch_threads = (1, 2)
 
-    def __init__(self, arm):
+    def __init__(self, case: Case):
         import pieper
 
-        rows = [pieper.DH(a=a, alpha=alpha, d=d, theta=0) for d, a, alpha in TABLES[arm]]
+        rows = [pieper.DH(a=a, alpha=alpha, d=d, theta=0) for d, a, alpha in case.table.tolist()]
         self.arm = pieper.Arm.from_dh(rows, convention="standard")
         self.arm.ik(self.arm.fk(np.zeros(6)))  # the plan is made on first use
 
@@ -42,10 +51,10 @@ class Eaik:
 
     batch_threads = (1, 2)
 
-    def __init__(self, arm):
+    def __init__(self, case: Case):
         from eaik.IK_DH import DhRobot  # pyright: ignore[reportMissingImports]
 
-        d, a, alpha = map(np.array, zip(*TABLES[arm], strict=True))
+        d, a, alpha = np.ascontiguousarray(case.table.T)
         self.arm = DhRobot(alpha, a, d)
         if not self.arm.hasKnownDecomposition():
             raise NotImplementedError(self.arm.getKinematicFamily())
@@ -67,12 +76,12 @@ class Ssik:
     batch_threads = ()
     few = 200  # poses: it takes a hundred times as long
 
-    def __init__(self, arm):
+    def __init__(self, case: Case):
         from ssik import Manipulator  # pyright: ignore[reportMissingImports]
 
-        if arm in GENERAL_ARMS:
+        if case.general:
             raise NotImplementedError("minutes to make an arm of no special geometry")
-        d, a, alpha = map(np.array, zip(*TABLES[arm], strict=True))
+        d, a, alpha = np.ascontiguousarray(case.table.T)
         self.arm = Manipulator.from_dh(alpha, a, d)
 
     def single(self, T):
@@ -87,8 +96,8 @@ class Crx:
 
     batch_threads = ()
 
-    def __init__(self, arm):
-        if arm != "fanuc-crx-10ia":
+    def __init__(self, case: Case):
+        if case.arm != "fanuc-crx-10ia":
             raise NotImplementedError("Fanuc CRX arms only")
         from crx_kinematics import Crx as Arm  # pyright: ignore[reportMissingImports]
 

@@ -14,6 +14,10 @@ from pieper.kinematics.pose import rotation_z
 TURNS, NEAR = 1440, 24
 #: The largest step of a joint from point to point, and how far it may swing with the turn from there, rad.
 STEP, SWING = 0.6, 1.0
+#: Places between two points where a chain is looked at.
+BETWEEN = 10
+#: How far a joint may be beyond its limits between points, and how far it may go on a tenth of the way (rad).
+BEYOND, JUMP = 2e-3, 0.25
 
 
 def ladder(arm: Arm, path: np.ndarray, most: float) -> tuple[np.ndarray, np.ndarray] | None:
@@ -116,11 +120,37 @@ def fits(arm: Arm, q: np.ndarray) -> bool:
     return bool((np.ceil((low - 1e-6 - q.min(0)) / turn) <= np.floor((high + 1e-6 - q.max(0)) / turn)).all())
 
 
-def ladder_cost(arm: Arm, path: np.ndarray, free: pieper.Freedom) -> dict[str, Any]:
-    """Return the route's cost, the shortened ladder's (None where it leads nowhere), and whether that fits the limits.
+def torn(arm: Arm, path: np.ndarray, q: np.ndarray, limits: np.ndarray) -> str:
+    """Return where a chain (N, n) with the turn free does not go on between its points; nothing where it does."""
+    low, high = limits.T
+    part = np.arange(1, BETWEEN) / BETWEEN
+    for k in range(len(q) - 1):
+        a, b = q[k], q[k + 1]
+        before = a
+        for T, s in zip(pieper.line(path[k], path[k + 1], BETWEEN + 1)[1:-1], part, strict=True):
+            # from the straight joint line, the turn as it comes: what is left free is free between points too
+            now, on = _onto(arm, T, a + s * (b - a))
+            beyond = (now < low) | (now > high)
+            if on and beyond.any():
+                # a joint that would leave its limits stands still at them: the turn gives way
+                now, on = _onto(arm, T, np.clip(now, low, high), ~beyond)
+            if not on:
+                return f"not continued between points {k + 1} and {k + 2}"
+            if ((now < low - BEYOND) | (now > high + BEYOND)).any():
+                return f"outside the limits between points {k + 1} and {k + 2}"
+            if np.abs(now - before).max() > JUMP:
+                return f"jumps between points {k + 1} and {k + 2}"
+            before = now
+        if np.abs(b - before).max() > JUMP:
+            return f"jumps between points {k + 1} and {k + 2}"
+    return ""
 
-    The ladder takes joints that can turn all the way round as if they had no limits: what costs less than the route and
-    does not fit says nothing.
+
+def ladder_cost(arm: Arm, path: np.ndarray, free: pieper.Freedom) -> dict[str, Any]:
+    """Return the route's cost, the shortened ladder's (None where it leads nowhere), and whether that is a route.
+
+    The ladder takes joints that can turn all the way round as if they had no limits, and steps from point to point
+    from branch to branch: what costs less than the route and does not fit, or is torn between its points, says nothing.
     """
     route = arm.route(path, free=free)
     # a chain on the grid costs a little more than made short, never half as much again
@@ -128,7 +158,10 @@ def ladder_cost(arm: Arm, path: np.ndarray, free: pieper.Freedom) -> dict[str, A
     if found is None:
         return {"cost": route.cost, "ladder": None}
     cost, q = shortened(arm, path, *found)
-    return {"cost": route.cost, "ladder": cost, "fits": fits(arm, q)}
+    told = {"cost": route.cost, "ladder": cost, "fits": fits(arm, q)}
+    if told["fits"]:
+        told["torn"] = torn(arm, path, q, np.tile([-np.inf, np.inf], (arm.n, 1)))
+    return told
 
 
 def _followed(arm: Arm, T: np.ndarray, q: np.ndarray) -> np.ndarray | None:
@@ -141,3 +174,19 @@ def _followed(arm: Arm, T: np.ndarray, q: np.ndarray) -> np.ndarray | None:
             return q
         q = q + (np.linalg.pinv(arm.jacobian(q), rcond=1e-10) @ off[..., None])[..., 0]
     return q if np.abs(off).max() < 1e-8 else None
+
+
+def _onto(arm: Arm, T: np.ndarray, q: np.ndarray, moves: np.ndarray | None = None) -> tuple[np.ndarray, bool]:
+    """Return the posture near q (n,) at which the tool has the place and z axis of T, and whether it was reached."""
+    for _ in range(30):
+        now = arm.fk(q)
+        off = np.concatenate([T[:3, 3] - now[:3, 3], np.cross(now[:3, 2], T[:3, 2])])
+        if np.abs(off).max() < 1e-9:
+            return q, True
+        J = arm.jacobian(q)
+        z = now[:3, 2]
+        J[3:] -= np.outer(z, z @ J[3:])
+        J = J if moves is None else J * moves
+        step = np.linalg.lstsq(J, off, rcond=1e-7)[0]
+        q = q + step * min(1.0, 0.3 / max(np.abs(step).max(), 1e-300))
+    return q, False

@@ -23,7 +23,7 @@ from scipy.spatial.transform import Rotation
 
 import pieper
 from benchmarks.kept import RESULTS, write
-from benchmarks.measure.route_costs import ladder_cost
+from benchmarks.measure.route_costs import ladder_cost, torn
 from benchmarks.pages.route_verdicts import table
 from oracle.turns import flooded, ring
 from pieper import Arm, Verdict
@@ -46,10 +46,8 @@ FREE = pieper.Freedom()
 TURNS, PLACES = 7200, 70
 #: How far behind the place told the flood may get: the width of its own steps.
 PAST = 0.01
-#: Points of a seam, and places between two of them where a route is looked at.
-POINTS, BETWEEN = 24, 10
-#: How far a joint may be beyond its limits between points, and how far it may go on a tenth of the way (rad).
-BEYOND, JUMP = 2e-3, 0.25
+#: Points of a seam.
+POINTS = 24
 
 
 def drawn(name: str, number: int) -> tuple[Arm, np.ndarray]:
@@ -121,43 +119,7 @@ def missed(arm: Arm, route: pieper.Route) -> str:
         return "off its poses"
     if ((route.q < low - 1e-9) | (route.q > high + 1e-9)).any():
         return "outside the limits"
-    part = np.arange(1, BETWEEN) / BETWEEN
-    for k in range(len(route.q) - 1):
-        a, b = route.q[k], route.q[k + 1]
-        before = a
-        for T, s in zip(pieper.line(route.path[k], route.path[k + 1], BETWEEN + 1)[1:-1], part, strict=True):
-            # from the straight joint line, the turn as it comes: what is left free is free between points too
-            q, on = _onto(arm, T, a + s * (b - a))
-            beyond = (q < low) | (q > high)
-            if on and beyond.any():
-                # a joint that would leave its limits stands still at them: the turn gives way
-                q, on = _onto(arm, T, np.clip(q, low, high), ~beyond)
-            if not on:
-                return f"not continued between points {k + 1} and {k + 2}"
-            if ((q < low - BEYOND) | (q > high + BEYOND)).any():
-                return f"outside the limits between points {k + 1} and {k + 2}"
-            if np.abs(q - before).max() > JUMP:
-                return f"jumps between points {k + 1} and {k + 2}"
-            before = q
-        if np.abs(b - before).max() > JUMP:
-            return f"jumps between points {k + 1} and {k + 2}"
-    return ""
-
-
-def _onto(arm: Arm, T: np.ndarray, q: np.ndarray, moves: np.ndarray | None = None) -> tuple[np.ndarray, bool]:
-    """Return the posture near q (n,) at which the tool has the place and z axis of T, and whether it was reached."""
-    for _ in range(30):
-        now = arm.fk(q)
-        off = np.concatenate([T[:3, 3] - now[:3, 3], np.cross(now[:3, 2], T[:3, 2])])
-        if np.abs(off).max() < 1e-9:
-            return q, True
-        J = arm.jacobian(q)
-        z = now[:3, 2]
-        J[3:] -= np.outer(z, z @ J[3:])
-        J = J if moves is None else J * moves
-        step = np.linalg.lstsq(J, off, rcond=1e-7)[0]
-        q = q + step * min(1.0, 0.3 / max(np.abs(step).max(), 1e-300))
-    return q, False
+    return torn(arm, route.path, route.q, arm.limits)
 
 
 def judged(name: str, number: int) -> dict[str, Any]:

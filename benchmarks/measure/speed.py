@@ -15,6 +15,7 @@ import os
 import platform
 import subprocess
 import sys
+import tempfile
 import time
 import venv
 from pathlib import Path
@@ -46,9 +47,13 @@ def python_of(peer: str) -> str | None:
 
 def measure(interpreter: str, contestant: str, arm: str, count: int) -> dict:
     """Run one worker and return what it printed."""
-    command = [interpreter, "-m", "benchmarks.measure.worker", contestant, arm, str(count)]
     told = ENVIRONMENT | SETTINGS.get(contestant, {})
-    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, env=told, timeout=1800)
+    q, T = poses(arm, count)
+    with tempfile.TemporaryDirectory() as folder:
+        case = Path(folder) / "case.npz"
+        np.savez(case, arm=arm, table=np.array(TABLES[arm]), general=arm in GENERAL_ARMS, q=q, T=T)
+        command = [interpreter, "-m", "benchmarks.measure.worker", contestant, str(case)]
+        done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, env=told, timeout=1800)
     if done.returncode:
         return {"contestant": contestant, "arm": arm, "failed": done.stderr.strip()[-300:]}
     return json.loads(done.stdout.strip().splitlines()[-1])
@@ -149,6 +154,8 @@ def main() -> None:
     parser.add_argument("--arms", nargs="*", default=list(TABLES))
     parser.add_argument("--out", type=Path, default=RESULTS / "speed.json")
     args = parser.parse_args()
+    if not args.recall and not args.out.exists():
+        parser.error(f"--recall 0 keeps the rows of the last run, and there is no {args.out}; give a number of poses")
     from pieper import _kernel
 
     interpreters = {"pieper": sys.executable}

@@ -28,29 +28,12 @@ from benchmarks.kept import RESULTS
 from benchmarks.measure import workbench_parts as parts_of
 from benchmarks.measure.probes import GIZMO, JOINT, WATCH
 from benchmarks.measure.workbench_people import measure_fuzz, measure_people, spread
+from benchmarks.pages.workbench_measured import TARGETS, rows_of
 from oracle.browser import FLAGS, chromium, free_port
 
 #: A spherical-wrist arm and a pose of it with eight solutions, degrees.
 DRAGGED, POSTURE = "unimation-puma-560", (20, -40, 30, 20, 50, 30)
 SIZE = {"width": 1280, "height": 800}
-#: What the measurements are held against.
-TARGETS = {
-    "slider to number, ms": "<= 5",
-    "slider to picture, ms": "<= 35",
-    "gizmo updates a second": ">= 30",
-    "first load, s": "< 1.5",
-    "shipped, MB": "< 3",
-    "1,000-point path, s": "<= 0.5",
-    "30th joint, s": "<= 0.3",
-    "report, s": "<= 4",
-    "playback at 1920 px, pictures a second": ">= 20",
-    "20 MB of meshes drawn after, s": "<= 3",
-    "  pictures a second as a joint moves": ">= 30",
-    "pictures while nothing changes": "0",
-    "messages lost": "0",
-    "answers for another arm": "0",
-    "faults, tracebacks, connections lost": "0, 0, 0",
-}
 
 
 class Served:
@@ -235,52 +218,7 @@ def machine(page) -> dict:
 
 def table_of(results: dict) -> str:
     """Return the results beside their targets."""
-    rows: list[tuple[str, str]] = []
-    if "joint" in results:
-        rows += [(f"slider to {k}, ms", f"{results['joint'][f'{k}_ms']['median']:.1f}") for k in ("number", "picture")]
-    if "gizmo" in results:
-        g = results["gizmo"]
-        rows += [("gizmo updates a second", f"{g['updates']:.0f}"), ("  ghosts shown", f"{g['ghosts']:.0f}")]
-        rows += [("  between updates, ms", f"{g['gap_ms']['median']:.0f} (95 %: {g['gap_ms']['p95']:.0f})")]
-        rows += [(f"  processor, ms an update: {k}", f"{v:.1f}") for k, v in g["processor_ms"].items()]
-    if "load" in results:
-        s = results["load"]["seconds"]
-        rows += [("first load, s", f"{s['median']:.2f} (best {s['best']:.2f})")]
-        rows += [("  sent for it, MB", f"{results['load']['sent_MB']:.2f}")]
-        rows += [("shipped, MB", f"{results['load']['shipped_MB']:.2f}")]
-    if "idle" in results:
-        rows += [("pictures while nothing changes", str(results["idle"]["pictures"]))]
-    rows += parts_of.rows_of(results)
-    for part in ("people", "programs"):
-        if part in results:
-            p = results[part]
-            rows += [(f"{p['sessions']} sessions, {p['messages']} messages, {p['programs']} programs", "")]
-            rows += [("messages lost", str(p["lost"])), ("answers for another arm", str(p["foreign"]))]
-            rows += [("  latency, ms", f"{p['latency_ms']['median']:.1f} (95 %: {p['latency_ms']['p95']:.1f})")]
-            if "program_ms" in p:
-                rows += [("  a program, ms", f"{p['program_ms']['median']:.0f} (95 %: {p['program_ms']['p95']:.0f})")]
-    if "fuzz" in results:
-        f = results["fuzz"]
-        rows += [(f"fuzz: {f['messages'] + f['not_json_or_binary']} messages", f"{f['refused']} refused")]
-        rows += [("messages lost", str(f["lost"])), ("answers for another arm", str(len(f["foreign"])))]
-        rows += [
-            ("faults, tracebacks, connections lost", f"{len(f['faults'])}, {f['tracebacks']}, {f['connections_lost']}")
-        ]
-    if "restart" in results:
-        r = results["restart"]
-        rows += [("restart: nothing lost", "yes" if r["same"] else "NO"), ("  back after, s", f"{r['back_s']:.2f}")]
-        rows += [("  server start, s", f"{r['server_start_s']:.2f}")]
-    m = results["machine"]
-    for key, name in (
-        ("page_loop_ms", "machine: loop in the page, ms"),
-        ("python_loop_ms", "machine: loop in Python, ms"),
-    ):
-        if key in m:
-            rows += [(name, f"{m[key]['median']:.0f} (best {m[key]['best']:.0f})")]
-    rows += [
-        ("machine: load average, cores", f"{m['load_average']:.1f}, {os.cpu_count()}"),
-    ]
-    return "\n".join(f"{name:48} {value:>22}   {TARGETS.get(name, '')}".rstrip() for name, value in rows)
+    return "\n".join(f"{name:48} {value:>22}   {TARGETS.get(name, '')}".rstrip() for name, value in rows_of(results))
 
 
 def main() -> None:

@@ -140,19 +140,3 @@ def _barrel(r0: float, r1: float, h: float, n: int, m: int) -> Array:
     P = np.stack([np.outer(r, np.cos(u)), np.outer(r, np.sin(u)), np.outer(h * v, np.ones(n + 1))], -1)
     a, b, c, d = P[:-1, :-1], P[:-1, 1:], P[1:, 1:], P[1:, :-1]
     return np.concatenate([np.stack(t, 2).reshape(-1, 3, 3) for t in ((a, b, c), (a, c, d))])
-
-
-def rows_of(results: dict[str, Any]) -> list[tuple[str, str]]:
-    """Return what was measured here as names and values."""
-    rows: list[tuple[str, str]] = []
-    for part, name in (("path", "1,000-point path, s"), ("table", "30th joint, s"), ("report", "report, s")):
-        if part in results:
-            rows.append((name, f"{results[part]['seconds']:.2f}"))
-    if "playback" in results:
-        rows.append(("playback at 1920 px, pictures a second", f"{results['playback']['pictures']:.0f}"))
-    if "mesh" in results:
-        mesh = results["mesh"]
-        rows.append(("20 MB of meshes drawn after, s", f"{mesh['seconds']:.2f}"))
-        rows.append(("  pictures a second as a joint moves", f"{mesh['pictures']:.0f}"))
-        rows.append(("  of the sketch, in the same page", f"{mesh['sketch_pictures']:.0f}"))
-    return rows

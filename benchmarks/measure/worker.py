@@ -1,6 +1,9 @@
 """Measure one contestant on one arm, in the environment this runs in; prints one JSON line.
 
-Usage: python -m benchmarks.measure.worker CONTESTANT ARM POSES
+Usage: python -m benchmarks.measure.worker CONTESTANT CASE.npz
+
+The case is a file (what `Case` says, with joint vectors and their poses), not an import: a peer's environment holds
+neither this package nor the oracle.
 """
 
 import json
@@ -9,8 +12,7 @@ import time
 
 import numpy as np
 
-from benchmarks.measure.contestants import CONTESTANTS
-from oracle.arms.tables import poses
+from benchmarks.measure.contestants import CONTESTANTS, Case
 
 
 def best_of(call, threads=1, rounds=5, least=0.05):
@@ -28,15 +30,20 @@ def best_of(call, threads=1, rounds=5, least=0.05):
     return best
 
 
-def main(name, arm, count):
+def main(name, path):
     """Measure and print."""
-    out = {"contestant": name, "arm": arm, "poses": count}
+    with np.load(path) as kept:
+        case = Case(str(kept["arm"]), kept["table"], bool(kept["general"]))
+        q, T = kept["q"], kept["T"]
+    count = len(q)
+    out = {"contestant": name, "arm": case.arm, "poses": count}
     try:
-        contestant = CONTESTANTS[name](arm)
+        contestant = CONTESTANTS[name](case)
     except NotImplementedError as reason:
         print(json.dumps(out | {"unsupported": str(reason)}))
         return
-    q, T = contestant.poses(count) if hasattr(contestant, "poses") else poses(arm, count)
+    if hasattr(contestant, "poses"):
+        q, T = contestant.poses(count)
     few = [np.ascontiguousarray(t) for t in T[: getattr(contestant, "few", 2000)]]
     times = np.empty(len(few))
     for i, pose in enumerate(few):
@@ -68,4 +75,4 @@ def main(name, arm, count):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2], int(sys.argv[3]))
+    main(sys.argv[1], sys.argv[2])

@@ -8,7 +8,15 @@ from __future__ import annotations
 import sys
 
 from benchmarks import kept
-from benchmarks.pages import arms, benchmarks, completeness, exported_solvers, route_verdicts, singular_strata
+from benchmarks.pages import (
+    arms,
+    benchmarks,
+    completeness,
+    exported_solvers,
+    route_verdicts,
+    singular_strata,
+    workbench_measured,
+)
 
 PAGES = {
     "arms.md": arms,
@@ -17,6 +25,7 @@ PAGES = {
     "exported_solvers.md": exported_solvers,
     "route_verdicts.md": route_verdicts,
     "singular_strata.md": singular_strata,
+    "workbench_measured.md": workbench_measured,
 }
 
 

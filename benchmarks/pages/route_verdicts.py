@@ -23,9 +23,10 @@ benchmarks.measure.route_verdicts`, which goes on where it was left; written by 
   among them.
 - *cost*: of as many found routes as were measured, how many cost at most 1 percent more than a ladder of 1,440 turns
   that was made short by another method, and the largest excess. The ladder takes joints that can turn all the way
-  round as if they had no limits: where it costs less and its chain does not fit the limits, nothing is compared,
-  nor where it leads nowhere: it turns by 6 degrees at most from point to point and lets go what costs half as much
-  again as the route.
+  round as if they had no limits, and steps from branch to branch where rows of two are near: where it costs less and
+  its chain does not fit the limits, or is torn when it is looked at between its points, nothing is compared, nor where
+  it leads nowhere: it turns by 6 degrees at most from point to point and lets go what costs half as much again as the
+  route.
 - *s*: processor time of a verdict on a machine shared by many, middle and largest.
 
 """
@@ -39,7 +40,8 @@ def line(name: str, seams: list[dict[str, Any]]) -> str:
     pole = sum(s["least"] < POLE for s in seams)
     there = sum(s["least"] < POLE and s["verdict"] == "UNCERTAIN" for s in seams)
     both = [s for s in seams if s.get("ladder") is not None]
-    excess = [s["cost"] / s["ladder"] - 1 for s in both if s.get("fits", True) or s["cost"] <= s["ladder"]]
+    sound = [s for s in both if (s.get("fits", True) and not s.get("torn")) or s["cost"] <= s["ladder"]]
+    excess = [s["cost"] / s["ladder"] - 1 for s in sound]
     cost = f"{sum(e <= 0.01 for e in excess)} of {len(excess)}, {100 * max(excess):+.2g} %" if excess else "-"
     took = np.array([s["seconds"] for s in seams])
     said = [name, len(seams), *count.values(), wrong, pole, there, cost, f"{np.median(took):.2f}, {took.max():.1f}"]

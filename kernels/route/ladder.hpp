@@ -42,9 +42,11 @@ struct Climbed {
 
 class Climb {
  public:
-  explicit Climb(const Ladder& ladder) : l(ladder), nodes(l.cells * l.rows), turns(l.joints), stride(l.joints) {
+  explicit Climb(const Ladder& ladder)
+      : l(ladder), nodes(l.cells * l.rows), turns(l.joints), stride(l.joints), root(l.joints) {
     lifts = 1;
     for (int j = 0; j < l.joints; ++j) {
+      root[j] = std::sqrt(l.weights[j]);
       const double width = l.upper[j] - l.lower[j];
       turns[j] =
           l.circle[j] && std::isfinite(width) ? static_cast<int>(std::floor((width + 2 * l.slack) / kTurn)) + 1 : 1;
@@ -80,10 +82,13 @@ class Climb {
  private:
   static constexpr double kTurn = 6.283185307179586476925286766559;
   static constexpr float kNone = std::numeric_limits<float>::infinity();
+  // Costs are sums of single precision: a step that is dearer by so much of them is dearer for certain.
+  static constexpr double kDearer = 4 * std::numeric_limits<float>::epsilon();
   const Ladder& l;
   std::int64_t nodes;
   int lifts;
   std::vector<int> turns, stride;
+  std::vector<double> root;  // of the weights
   std::vector<float> cost, next;
   std::vector<std::int32_t> back;  // node and lift it came from; below zero: -2 - that, on the same rung
   std::vector<std::uint8_t> allowed;
@@ -121,17 +126,19 @@ class Climb {
     return true;
   }
 
-  // The cost of a step from a to b, and by how many whole turns each joint's number changes; negative for none.
-  double step(const double* a, const double* b, const double* longest, int* moved, bool& straight) const {
-    double sum = 0.0, most = 0.0;
+  // The cost of a step from a to b, and by how many whole turns each joint's number changes; negative for none, and
+  // where it comes to more than `dear`.
+  double step(const double* a, const double* b, const double* longest, double dear, int* moved, bool& straight) const {
+    double price = 0.0;
     straight = true;
     for (int j = 0; j < l.joints; ++j) {
       double e = b[j] - a[j];
       moved[j] = 0;
-      if (l.circle[j]) {
-        const double n = std::nearbyint(e * (1.0 / kTurn));
+      const double turned = e * (1.0 / kTurn);
+      if (l.circle[j] && std::fabs(turned) > 0.5) {
+        const double n = std::nearbyint(turned);
         e -= kTurn * n;
-        if (n != 0.0 && std::isfinite(l.upper[j] - l.lower[j])) {
+        if (std::isfinite(l.upper[j] - l.lower[j])) {
           // the row is a turn lower than where the way leads: its lift is that much higher
           moved[j] = -static_cast<int>(n);
           straight = false;
@@ -139,10 +146,18 @@ class Climb {
       }
       const double size = std::fabs(e);
       if (size > longest[j]) return -1.0;
-      sum += l.weights[j] * e * e;
-      most = std::max(most, std::sqrt(l.weights[j]) * size);
+      price = l.largest ? std::max(price, root[j] * size) : price + l.weights[j] * e * e;
+      if (price > dear) return -1.0;
     }
-    return l.largest ? most : sum;
+    return price;
+  }
+
+  // The dearest of the lifts of a node that a way may lead to.
+  float dearest(const std::vector<float>& of, std::int64_t node) const {
+    float most = -kNone;
+    for (std::int64_t i = node * lifts; i < (node + 1) * lifts; ++i)
+      if (allowed[i]) most = std::max(most, of[i]);
+    return most;
   }
 
   int lifted(int w, const int* moved) const {
@@ -182,26 +197,32 @@ class Climb {
     const double* longest = l.longest + (r - 1) * l.joints;
     const double part = l.largest ? 1.0 : 1.0 / l.parts[r - 1];
     std::vector<int> moved(l.joints);
-    std::vector<std::uint8_t> alive(nodes, 0);
-    for (std::int64_t node = 0; node < nodes; ++node) alive[node] = alive_at(node);
+    std::vector<float> least(nodes);
+    for (std::int64_t node = 0; node < nodes; ++node)
+      least[node] = *std::min_element(&cost[node * lifts], &cost[node * lifts] + lifts);
     for (std::int64_t c = 0; c < l.cells; ++c)
-      for (int n = 0; n < l.nearby; ++n) {
-        const std::int32_t other = l.near[c * l.nearby + n];
-        if (other < 0) continue;
-        for (int b = 0; b < l.rows; ++b) {
-          const std::int64_t target = c * l.rows + b;
-          if (!l.valid[r * nodes + target]) continue;
-          const double* to = row(r, target);
-          for (int a = 0; a < l.rows; ++a) {
-            const std::int64_t source = static_cast<std::int64_t>(other) * l.rows + a;
-            if (!alive[source]) continue;
+      for (int b = 0; b < l.rows; ++b) {
+        const std::int64_t target = c * l.rows + b;
+        if (!l.valid[r * nodes + target]) continue;
+        const double* to = row(r, target);
+        float most = dearest(next, target);
+        if (most < 0.0f) continue;  // none of its lifts is allowed
+        // rows of one place in their cells are mostly one branch: tried first, what they cost spares the others
+        for (int turn = 0; turn < l.rows; ++turn)
+          for (int n = 0; n < l.nearby; ++n) {
+            const std::int32_t other = l.near[c * l.nearby + n];
+            if (other < 0) continue;
+            const std::int64_t source = static_cast<std::int64_t>(other) * l.rows + (b + turn) % l.rows;
+            if (!(least[source] < kNone)) continue;
+            const double dear = (most - least[source] + kDearer * most) / part;
+            if (dear < 0.0) continue;
             bool straight;
-            const double price = step(row(r - 1, source), to, longest, moved.data(), straight);
+            const double price = step(row(r - 1, source), to, longest, dear, moved.data(), straight);
             if (price < 0.0) continue;
             ++out.edges;
-            relax(next, from, source, target, price * part, moved.data(), straight, cost, false);
+            if (relax(next, from, source, target, price * part, moved.data(), straight, cost, false))
+              most = dearest(next, target);
           }
-        }
       }
   }
 
@@ -225,7 +246,7 @@ class Climb {
               const std::int64_t source = static_cast<std::int64_t>(other) * l.rows + a;
               if (!l.valid[r * nodes + source] || source == target || !alive_at(source)) continue;
               bool straight;
-              const double price = step(row(r, source), row(r, target), l.on_spot, moved.data(), straight);
+              const double price = step(row(r, source), row(r, target), l.on_spot, kNone, moved.data(), straight);
               if (price < 0.0) continue;
               ++out.edges;
               // a step on the spot is free of nothing: it costs what it would as one step of the way

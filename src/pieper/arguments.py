@@ -92,7 +92,7 @@ def whole(value: Any, what: str, least: int, most: float = math.inf) -> int:
     Raises:
         InputError: No whole number, or one outside the bounds.
     """
-    wanted = f"a whole number from {least}" + (f" to {most:,.0f}" if math.isfinite(most) else "")
+    wanted = f"a whole number from {least}" + (f" to {most:z,.0f}" if math.isfinite(most) else "")
     if isinstance(value, (int, np.integer)) and not isinstance(value, bool) and least <= value <= most:
         return int(value)
     raise InputError(f"{what} must be {wanted}, got {kind_of(value)}.", given=value, allowed=wanted)
@@ -134,10 +134,10 @@ def text(value: Any, what: str) -> str:
 
 
 def file(value: Any, what: str = "path", wanted: str = "the path of a file") -> Path:
-    """Return the path of a file or folder.
+    """Return the path of a file or folder; "~" at its beginning is the user's own folder, as a shell has it.
 
     Raises:
-        InputError: Something that is no path.
+        InputError: Something that is no path, or the folder of a user who is not known.
     """
     try:
         read = os.fsdecode(os.fspath(value))
@@ -145,7 +145,11 @@ def file(value: Any, what: str = "path", wanted: str = "the path of a file") -> 
         raise InputError(f"{what} must be {wanted}, got {kind_of(value)}.", given=value, allowed=wanted) from None
     if "\0" in read or not read:
         raise InputError(f"{what} must be {wanted}, got {read!r}.", given=value, allowed=wanted)
-    return Path(read)
+    try:
+        return Path(read).expanduser()
+    except RuntimeError:
+        cure = f"for a folder of that name write ./{read}"
+        raise InputError(f"{what}: there is no user {read.split('/')[0][1:]!r}; {cure}.", given=value) from None
 
 
 def file_ending(value: Any, endings: tuple[str, ...], what: str) -> Path:

@@ -108,6 +108,17 @@ def test_a_program_that_cannot_be_done_says_which_step_and_why(bench):
     bench.shot("program-fails", both=True)
 
 
+def test_a_program_that_begins_with_what_cannot_be_done_shows_no_motion(bench):
+    bench.tab("Program")
+    bench.page.get_by_test_id("step-add-line").click()
+    bench.fill("step-1-T-0", 9000)
+    bench.page.get_by_test_id("run-program").click()
+    verdict = bench.page.get_by_test_id("program-verdict")
+    verdict.get_by_text("Step 1 cannot be done").wait_for()
+    assert "comes before it" not in verdict.inner_text()
+    assert bench.page.get_by_test_id("chart").is_hidden()
+
+
 def test_steps_are_dragged_undone_and_travel_with_the_state(bench, people):
     page = bench.page
     bench.tab("Program")

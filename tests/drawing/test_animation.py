@@ -10,6 +10,7 @@ from PIL import Image
 import pieper
 from pieper.drawing.animation import encoders
 from pieper.drawing.animation.painter import Painter
+from pieper.drawing.style import AXES
 from pieper.errors import InputError
 from pieper.motion.joint_move import joint_move
 
@@ -126,3 +127,14 @@ def test_a_track_in_time_knows_its_arm_and_its_limits(tmp_path):
     assert motion.description.name == "denso-vp6242" and motion.limits is LIMITS
     assert motion.animate(tmp_path / "m.html").exists()
     assert repr(motion).startswith("Motion(denso-vp6242: 6 joints, ")
+
+
+def test_a_gif_keeps_the_colours_of_the_tools_axes(motion, tmp_path):
+    true = Painter(motion, ARM.description, (640, 480), (22, -58)).picture(0.0).astype(int)
+    with Image.open(motion.animate(tmp_path / "m.gif", rate=10)) as file:
+        drawn = np.array(file.convert("RGB")).astype(int)
+    for colour in AXES:
+        wanted = [int(colour[k : k + 2], 16) for k in (1, 3, 5)]
+        there, kept = ((np.abs(picture - wanted).max(-1) < 12).sum() for picture in (true, drawn))
+        # a few pixels among many: a palette of what is seen most has none of them
+        assert there > 5 and kept >= there / 2, colour

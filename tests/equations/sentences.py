@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 import numpy as np
+from scipy.optimize import minimize
 
 from oracle.arms.numbered import random_arm
 from pieper import Arm
@@ -12,7 +14,10 @@ from pieper.equations.derivation.closed_form import UNDECIDED
 from pieper.equations.derivation.degenerate import ELSEWHERE, FREE, IMPOSSIBLE, UNREACHED, _vanishing
 
 POSES = 4
-SAME, MISSED, MET = 1e-4, 1e-5, 1e-4
+SAME, MISSED = 1e-4, 1e-5
+MET = (
+    1e-12  # of the usual size of what decides a step; true zeros are found below 1e-14, the smallest floor seen is 1e-9
+)
 __all__ = ["false_sentences", "random_arm"]
 
 
@@ -36,13 +41,27 @@ def false_sentences(arm: Arm, poses: int = POSES) -> list[str]:
         if case.kind in (FREE, ELSEWHERE):
             bad += [f"step {number}, {case.kind}: {words}" for words in _at_postures(arm, ik, case)]
         elif case.kind in (IMPOSSIBLE, UNREACHED):
-            q = np.random.default_rng(8).uniform(-np.pi, np.pi, (2000, arm.n))
-            gap = np.abs(_vanishing(ik.form, ik.steps[number - 1], q)).max(axis=1)
-            if gap.min() <= MET:
-                bad.append(f"step {number}, {case.kind}: a posture comes within {gap.min():.1e}")
+            nearest = _nearest_to_nothing(lambda q, step=ik.steps[number - 1]: _vanishing(ik.form, step, q), arm.n)
+            if nearest <= MET:
+                bad.append(f"step {number}, {case.kind}: a posture comes within {nearest:.1e} of its usual size")
             if "is free" in text.split(f"Step {number}:")[1].split("Step ")[0]:
                 bad.append(f"step {number}, {case.kind}: called free all the same")
     return bad
+
+
+def _nearest_to_nothing(coefficients: Callable[[np.ndarray], np.ndarray], n: int) -> float:
+    """How near all coefficients come to nothing at one posture, in parts of their usual size, searched downhill."""
+    q = np.random.default_rng(8).uniform(-np.pi, np.pi, (2000, n))
+    found = np.abs(coefficients(q))
+    usual = np.median(found, axis=0)
+    usual = np.where(usual > 0, usual, 1.0)
+
+    def gap(x: np.ndarray) -> float:
+        return float((np.abs(coefficients(x[None])) / usual).max())
+
+    best = np.argsort((found / usual).max(axis=1))[:3]
+    fine = {"xatol": 1e-12, "fatol": 1e-14, "maxiter": 400 * n}
+    return min(float(minimize(gap, q[k], method="Nelder-Mead", options=fine).fun) for k in best)
 
 
 def _polynomial(arm: Arm, general) -> list[str]:

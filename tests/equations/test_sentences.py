@@ -59,6 +59,13 @@ def test_an_arm_over_decades_says_nothing_false(number, joints):
     assert false_sentences(random_arm(number, joints)[0]) == []
 
 
+def test_what_comes_near_nothing_and_stays_above_it_is_impossible():
+    """(a2 + a3 c3)^2 + (d3 salpha2 - a3 calpha2 s3)^2 is 2.5e-4 of its usual size at 0.75, nowhere less."""
+    arm, _ = random_arm(1008, 4)
+    assert arm.symbolic.ik().form.cases[2].kind == "impossible"
+    assert false_sentences(arm) == []
+
+
 def test_the_square_of_a_small_length_is_not_nothing():
     """2 a1 ((a2 + a3 c3)^2 + d3^2) with d3 = 8 mm and a3 = 351 m comes within 5e-7 of nothing, no nearer."""
     form = random_arm(110, 3)[0].symbolic.ik().form

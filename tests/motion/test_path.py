@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 from pieper.errors import InputError
 from pieper.kinematics.pose import rotation_about, rotation_vector, transform
@@ -104,3 +105,18 @@ def test_a_bad_pose_inside_a_path_is_named_by_its_index():
 def test_what_is_not_a_stack_of_poses_is_refused(path):
     with pytest.raises(InputError, match="path"):
         checked_path(path)
+
+
+def test_turns_of_many_pairs_are_those_of_each_alone():
+    rng = np.random.default_rng(3)
+    R0 = Rotation.random(60, rng=rng).as_matrix()
+    R1 = Rotation.random(60, rng=rng).as_matrix()
+    R1[:10] = R0[:10]
+    axis = rng.standard_normal((20, 3))
+    # half turns, whose axis rounding would choose
+    R1[10:30] = R0[10:30] @ Rotation.from_rotvec(np.pi * axis / np.linalg.norm(axis, axis=1)[:, None]).as_matrix()
+    together = shortest_turn(R0, R1)
+    assert np.array_equal(together, [shortest_turn(a, b) for a, b in zip(R0, R1, strict=True)])
+    assert (together[:10] == 0).all()
+    assert (together[10:30].max(1) >= -together[10:30].min(1)).all()
+    assert np.abs(R0 @ Rotation.from_rotvec(together).as_matrix() - R1).max() < 1e-14

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import re
+import sys
 import tomllib
 from pathlib import Path
 
@@ -75,3 +77,20 @@ def test_an_issue_form_has_what_such_a_form_needs(path):
 def test_the_targets_of_make_that_a_page_names_are_there(path):
     named = set(re.findall(r"`make ([a-z-]+)[^`]*`", path.read_text()))
     assert named <= TARGETS, named - TARGETS
+
+
+def test_what_runs_inside_a_peers_environment_needs_numpy_alone():
+    # a peer's environment holds the peer and NumPy: the adapters name their package inside the class that needs it
+    seen, todo = set(), ["benchmarks.measure.worker"]
+    while todo:
+        spec = importlib.util.find_spec(name := todo.pop())
+        if name in seen or spec is None or spec.origin is None:
+            continue
+        seen.add(name)
+        for node in ast.parse(Path(spec.origin).read_text()).body:
+            named = [a.name for a in node.names] if isinstance(node, ast.Import) else []
+            named += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            todo += [full for full in named if full.startswith("benchmarks")]
+            allowed = {*sys.stdlib_module_names, "numpy", "benchmarks"}
+            assert {full.split(".")[0] for full in named} <= allowed, (name, named)
+    assert "benchmarks.measure.contestants" in seen

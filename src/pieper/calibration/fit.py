@@ -231,12 +231,12 @@ class Fit:
         ]
         if self.spread > 1.5:
             lines.append(
-                f"What is left is {self.spread:.1f} times the noise: these numbers do not say all that this arm does "
+                f"What is left is {self.spread:z.1f} times the noise: these numbers do not say all that this arm does "
                 "(bending, play, joint terms), or the noise is larger than was said. The covariance counts it as noise."
             )
         if self.spread < FAR_LESS:
             lines.append(
-                f"What is left is {1 / self.spread:.0f} times less than the noise that was said: numbers held back by "
+                f"What is left is {1 / self.spread:z.0f} times less than the noise that was said: numbers held back by "
                 "it may be wrong. Was sigma meant in metres and radians? Without sigma= the noise is found from the "
                 "data."
             )

@@ -42,7 +42,7 @@ def command(arm: pieper.Arm, file: str, out: str, rate: float, speed: float, siz
         view=(elevation, azimuth),
         progress=drawing(),
     )
-    say(f"{out}: {motion.duration:.3f} s")
+    say(f"{out}: {motion.duration:z.3f} s")
     return DONE
 
 

@@ -96,7 +96,7 @@ def run(out: Path, *, say: Callable[[str], None] = print) -> tuple[Path, bool]:
     say(f"{len(written) // 2} figures, each as PNG and SVG, in {out / 'figures'}")
     write_csv(arm, track, str(out / "line.csv"), Units())
     target = sections.write_page(page, out / "index.html")
-    say(f"Done in {time.perf_counter() - begun:.1f} s.")
+    say(f"Done in {time.perf_counter() - begun:z.1f} s.")
     return target, track.complete
 
 

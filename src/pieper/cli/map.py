@@ -33,7 +33,7 @@ class _Progress:
     def __call__(self, done: int, tiles: int) -> None:
         left = (time.monotonic() - self.started) * (tiles - done) / max(done, 1)
         end = "\n" if done == tiles else ""
-        print(f"\r{done} of {tiles} tiles, about {left:.0f} s left   ", end=end, file=sys.stderr, flush=True)
+        print(f"\r{done} of {tiles} tiles, about {left:z.0f} s left   ", end=end, file=sys.stderr, flush=True)
 
 
 @click.command("map", cls=TakesNumbers, short_help="Fill a box with answers: what the arm reaches.")

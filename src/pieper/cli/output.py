@@ -32,7 +32,7 @@ def number(value: float, digits: int = 3) -> str:
     """Return a number with fixed digits and no negative zero."""
     if not math.isfinite(value):
         return "∞" if value > 0 else "-∞"
-    return f"{round(float(value), digits) + 0.0:.{digits}f}"
+    return f"{float(value):z.{digits}f}"
 
 
 def short(value: float, digits: int = 4) -> str:

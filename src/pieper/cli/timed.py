@@ -19,7 +19,7 @@ MOST = 8
 def tell(arm: pieper.Arm, motion: pieper.Motion) -> None:
     """Print how long a motion takes, which limits bind for how long, and what happens on the way."""
     tell_limits(arm, motion)
-    say(f"The largest value over its limit is {motion.margin:.6f}, on the whole curve.")
+    say(f"The largest value over its limit is {motion.margin:z.6f}, on the whole curve.")
     for remark in motion.remarks:
         say(remark)
 
@@ -27,7 +27,7 @@ def tell(arm: pieper.Arm, motion: pieper.Motion) -> None:
 def tell_limits(arm: pieper.Arm, motion: pieper.Motion) -> None:
     """Print how long a motion takes, which limits bind for how long, and when what happens."""
     columns = [Column("what binds", True), Column("for, s")]
-    print_table(f"{arm.name}: {motion.duration:.3f} s", columns, _binding(motion))
+    print_table(f"{arm.name}: {motion.duration:z.3f} s", columns, _binding(motion))
     if motion.events:
         rows = [[number(t), kind, _said(value)] for t, kind, value in motion.events]
         print_table("what happens", [Column("at, s"), Column("what", True), Column("value", True)], rows)

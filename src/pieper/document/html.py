@@ -155,7 +155,7 @@ class _Writer(Typesetter):
         narrow = ' class="narrow"' if item.width < NARROW else ""
         drawing = inline_svg(item.drawing.svg(), f"f{self.figures}-")
         return (
-            f'<figure{narrow} style="width:{100 * item.width:.0f}%">{drawing}'
+            f'<figure{narrow} style="width:{100 * item.width:z.0f}%">{drawing}'
             f"<figcaption><b>Figure {self.figures}.</b> {escaped(item.caption)}</figcaption></figure>"
         )
 
@@ -175,4 +175,4 @@ def inline_svg(text: str, prefix: str) -> str:
 
 
 def _shorter(number: re.Match[str]) -> str:
-    return f"{float(number[0]):.2f}".rstrip("0").rstrip(".")
+    return f"{float(number[0]):z.2f}".rstrip("0").rstrip(".")

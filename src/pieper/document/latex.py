@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from pieper.document import blocks as b
 from pieper.document.formulas import equals
 from pieper.document.text import plain
@@ -23,6 +25,7 @@ HEAD = r"""\documentclass[11pt,a4paper]{article}
 \renewcommand{\topfraction}{0.92}\renewcommand{\bottomfraction}{0.8}
 \renewcommand{\textfraction}{0.05}\renewcommand{\floatpagefraction}{0.85}
 \setlength{\parindent}{0pt}
+\setlength{\emergencystretch}{3em}
 \setlength{\parskip}{0.6ex plus 0.2ex}
 \setlength{\tabcolsep}{4pt}
 \setcounter{MaxMatrixCols}{20}
@@ -49,9 +52,20 @@ _SPECIAL = {
 } | {chr(0x2080 + k): rf"\ensuremath{{_{k}}}" for k in range(10)}  # fmt: skip
 
 
+#: Letters of a word that has no hyphen TeX knows of, such as a path or an address; it may end a line at these.
+LONG_WORD, ENDS = 20, "/_"
+
+
 def latex_text(words: str) -> str:
     """Return plain text as LaTeX; characters that pdflatex cannot set become a question mark."""
-    return "".join(_SPECIAL.get(c, c if ord(c) < 0x250 else "?") for c in words)
+    return "".join(_latex_word(part) for part in re.split(r"(\s+)", words))
+
+
+def _latex_word(word: str) -> str:
+    long = len(word) > LONG_WORD
+    return "".join(
+        _SPECIAL.get(c, c if ord(c) < 0x250 else "?") + (r"\allowbreak{}" if long and c in ENDS else "") for c in word
+    )
 
 
 def source(document: b.Document, folder: str = "figures") -> tuple[str, dict[str, bytes]]:
@@ -137,7 +151,7 @@ class _Writer(Typesetter):
         self.files[name] = item.drawing.pdf()
         return (
             "\\begin{figure}[!htbp]\n\\centering\n"
-            rf"\includegraphics[width={min(item.width, 1.0):.2f}\linewidth]{{{name}}}"
+            rf"\includegraphics[width={min(item.width, 1.0):z.2f}\linewidth]{{{name}}}"
             "\n" + rf"\caption{{{self.line(item.caption)}}}" + "\n\\end{figure}"
         )
 

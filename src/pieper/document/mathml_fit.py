@@ -89,7 +89,7 @@ def _unstretched(elements: list[ET.Element]) -> None:
 
 
 def _smaller(math: str, share: float) -> str:
-    return f'<div style="font-size:{share:.2f}em">{math}</div>'
+    return f'<div style="font-size:{share:z.2f}em">{math}</div>'
 
 
 def _flat(element: ET.Element) -> list[ET.Element]:

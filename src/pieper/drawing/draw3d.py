@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 #: Inches above a 3-D picture for its title of one or two lines, beside it, and below it for its labels; how much of
 #: its height is empty below.
-TITLE, SIDE, LABELS, HANGS = 0.36, 0.08, 0.38, 0.11
+TITLE, SIDE, LABELS, HANGS = 0.36, 0.08, 0.5, 0.11
 
 
 def space_axes(

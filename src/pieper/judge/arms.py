@@ -43,10 +43,10 @@ def read_arm(place: str, table: dict[str, Any]) -> ArmModel:
         return model_from_description(description, Solver.of(description.by_axes()))
     convention = table.get("convention")
     if convention not in ("standard", "modified"):
-        raise InputError(f'{place}: convention = {convention!r}; say "standard" or "modified"')
+        raise InputError(f'{place}: convention = {convention!r}; say "standard" or "modified"', key="convention")
     unit = table.get("length_unit")
     if unit not in UNITS:
-        raise InputError(f"{place}: length_unit = {unit!r}; say one of {', '.join(UNITS)}")
+        raise InputError(f"{place}: length_unit = {unit!r}; say one of {', '.join(UNITS)}", key="length_unit")
     return _table(place, table, convention, unit)
 
 
@@ -56,7 +56,8 @@ def _as_the_page_has_it(place: str, d: Description, table: dict[str, Any]) -> De
         if d.coupling is not None:
             raise InputError(
                 f"{place}: angles = 'table' goes with arms whose joints are not coupled; of {d.name}, whose are, "
-                "theta1, theta2 .. are the values of the axes whatever is said: leave angles out"
+                "theta1, theta2 .. are the values of the axes whatever is said: leave angles out",
+                key="angles",
             )
         turns = np.array([kind == "R" for kind in d.joint_types])
         zero = d.offset + np.where(turns, [row.theta for row in d.rows], [row.d for row in d.rows])
@@ -73,7 +74,8 @@ def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> Arm
     if columns is None or set(columns) != COLUMNS:
         raise InputError(
             f'{place}: columns must name the four columns as printed, such as ["theta", "d", "a", "alpha"]; '
-            f"got {columns!r}"
+            f"got {columns!r}",
+            key="columns",
         )
     values = {str(k): float(v) for k, v in table.get("values", {}).items()}
     zeros = {name for name, value in values.items() if not value}
@@ -85,10 +87,12 @@ def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> Arm
     aliases = {}
     for i, cell_row in enumerate(cells):
         if not isinstance(cell_row, list) or len(cell_row) != 4:
-            raise InputError(f"{place}: row {i + 1} must have four cells, {', '.join(columns)}; got {cell_row!r}")
+            raise InputError(
+                f"{place}: row {i + 1} must have four cells, {', '.join(columns)}; got {cell_row!r}", key="rows"
+            )
         made = {}
         for column, cell in zip(columns, cell_row, strict=True):
-            with under(f"{place}: row {i + 1}, {column}"):
+            with under(f"{place}: row {i + 1}, {column}", "rows"):
                 made[column] = _cell(column, cell, i, values, variables, n, convention)
                 _look_at_value(made[column], values, n, variables)
         joint = len(rows) + 1
@@ -106,7 +110,8 @@ def _table(place: str, table: dict[str, Any], convention: str, unit: str) -> Arm
             above.append(row)
     if not rows:
         raise InputError(
-            f"{place}: no row has a joint variable; write q1 under theta, or b1 under d for a sliding joint"
+            f"{place}: no row has a joint variable; write q1 under theta, or b1 under d for a sliding joint",
+            key="rows",
         )
     base, tool = (_pose(place, table, key) for key in ("base", "tool"))
     name = str(table.get("name", "the arm of the file"))
@@ -151,17 +156,20 @@ def _look_at_variables(place: str, made: dict[str, Expr], joint: int, n: int, va
     for column in ("a", "alpha"):
         moving = made[column].symbols() & (variables | joints)
         if moving:
-            raise InputError(f"{place}, {column}: {moving.pop()} moves, but {column} is constant in a DH table")
+            raise InputError(
+                f"{place}, {column}: {moving.pop()} moves, but {column} is constant in a DH table", key="rows"
+            )
     slides, turns = made["d"].symbols() & (variables | joints), made["theta"].symbols() & joints
     count = f"; this row is joint {joint}, for rows with a variable are counted"
     if slides - {f"{c}{joint}" for c in "dbq"} or len(slides) > 1:
         raise InputError(
-            f"{place}, d: a slide of this row is called b{joint} or d{joint}, not {', '.join(sorted(slides))}{count}"
+            f"{place}, d: a slide of this row is called b{joint} or d{joint}, not {', '.join(sorted(slides))}{count}",
+            key="rows",
         )
     if turns - {f"theta{joint}"}:
-        raise InputError(f"{place}, theta: write q{joint}, not {', '.join(sorted(turns))}{count}")
+        raise InputError(f"{place}, theta: write q{joint}, not {', '.join(sorted(turns))}{count}", key="rows")
     if slides and turns:
-        raise InputError(f"{place}: theta and d both move; a row has one variable")
+        raise InputError(f"{place}: theta and d both move; a row has one variable", key="rows")
 
 
 def _look_at_value(cell: Expr, values: dict[str, float], n: int, variables: set[str]) -> None:
@@ -177,7 +185,7 @@ def _pose(place: str, table: dict[str, Any], key: str) -> np.ndarray:
         return np.eye(4)
     T = np.array(table[key], dtype=float)
     if T.shape != (4, 4):
-        raise InputError(f"{place}: {key} must be a 4 x 4 matrix, got shape {T.shape}")
+        raise InputError(f"{place}: {key} must be a 4 x 4 matrix, got shape {T.shape}", key=key)
     return T
 
 

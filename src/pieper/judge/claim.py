@@ -63,22 +63,22 @@ class Claim:
         """The same claim with its text."""
         return replace(self, text=text)
 
-    def error(self, message: str) -> InputError:
-        """The error for a claim that cannot be judged as it stands."""
-        return InputError(f"claim {self.id}: {message}", claim=self.id)
+    def error(self, message: str, key: str = "") -> InputError:
+        """The error for a claim that cannot be judged as it stands; `key` is where the cause stands."""
+        return InputError(f"claim {self.id}: {message}", claim=self.id, **({"key": key} if key else {}))
 
     def joint(self, n: int) -> int:
         """The joint (1-based) that the claim names, of an arm with n."""
         joint = self.keys["joint"]
         if not isinstance(joint, int) or not 1 <= joint <= n:
-            raise self.error(f"joint {joint!r} does not exist; the arm has joints 1 to {n}")
+            raise self.error(f"joint {joint!r} does not exist; the arm has joints 1 to {n}", "joint")
         return joint
 
     def whole(self, key: str) -> int:
         """The whole number under a key."""
         value = self.keys.get(key)
         if not isinstance(value, int):
-            raise self.error(f"{key} must be a whole number")
+            raise self.error(f"{key} must be a whole number", key)
         return value
 
     def holds(self, sentence: str, details: Details = (), **numbers: Unpack[Numbers]) -> Verdict:

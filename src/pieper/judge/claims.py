@@ -37,6 +37,7 @@ from pieper.judge.judges.poses import judge_pose
 from pieper.judge.judges.procedure import judge_procedure
 from pieper.judge.judges.solutions import judge_solutions
 from pieper.judge.judges.tables import judge_errors, judge_number, judge_range, judge_table
+from pieper.judge.lines import in_its_line, standing
 from pieper.judge.model import ArmModel, model_from_description
 from pieper.judge.solver import Solver
 from pieper.judge.symbols import in_order, plain
@@ -126,15 +127,20 @@ def check(path_or_text: str | os.PathLike[str], arm: Described | None = None) ->
         The judgement, one verdict per claim in the file's order.
 
     Raises:
-        InputError: the file cannot be read; the message names the claim, the key and, in a formula, the character.
+        InputError: the file cannot be read; the message names the line, the claim, the key and, in a formula, the
+            character.
     """
     name, text = _read(path_or_text)
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{name}: this is not TOML: {error}") from None
-    with np.errstate(all="ignore"):  # a division by zero is a finding, and the judges look for it
-        return judge_tables(name, data, arm)
+        last = f", line {1 + text.rstrip().count(chr(10))}" if str(error).endswith("(at end of document)") else ""
+        raise InputError(f"{name}{last}: this is not TOML: {error}") from None
+    try:
+        with np.errstate(all="ignore"):  # a division by zero is a finding, and the judges look for it
+            return judge_tables(name, data, arm)
+    except InputError as error:
+        raise in_its_line(error, name, text) from None
 
 
 def guess_claims(text: str, arm: str | os.PathLike[str], source: str) -> tuple[str, int, int]:
@@ -159,39 +165,53 @@ def guess_claims(text: str, arm: str | os.PathLike[str], source: str) -> tuple[s
 
 def judge_tables(name: str, data: dict[str, Any], arm: Described | None = None) -> Judgement:
     """Judge the tables of a claims file that has been read; `name` is the file's, for messages."""
-    keys.only_known(data, keys.FILE, f"{name}: the file")
-    tables = data.get("claim", [])
-    if tables == []:
-        raise InputError(f"{name}: there is no claim; write at least one [[claim]] table")
-    keys.look(data, keys.FILE, f"{name}: the file")
+    with standing():
+        keys.only_known(data, keys.FILE, f"{name}: the file")
+        tables = data.get("claim", [])
+        if tables == []:
+            raise InputError(f"{name}: there is no claim; write at least one [[claim]] table")
+        keys.look(data, keys.FILE, f"{name}: the file")
     arms = _arms(name, data, arm)
     benches = {}
     for key, model in arms.items():
         benches[key] = Evidence(model, seconds=float(data.get("seconds", 2.0)))
-        for matrix, rows in data.get("matrices", {}).items():
-            try:
-                benches[key].define_matrix(matrix, rows)
-            except InputError as error:
-                raise InputError(f"{name}: [matrices] {matrix}: {error}") from None
-        try:
-            symbols = in_order({plain(k): str(v) for k, v in _symbols(data, key).items()})
-        except InputError as error:
-            raise InputError(f"{name}: [symbols] {error}") from None
-        for symbol, body in symbols.items():
-            try:
-                benches[key].define(symbol, body)
-            except InputError as error:
-                raise InputError(f"{name}: [symbols] {symbol}: {error}") from None
+        _define(name, data, key, benches[key])
     verdicts: dict[str, Verdict] = {}
     for position, table in enumerate(tables, 1):
-        keys.look(table, {"id": keys.CLAIM["id"]}, f"{name}: claim {position}", str(position))
-        claim = Claim(str(table.get("id", position)), table)
-        if claim.id in verdicts:
-            raise InputError(f"{name}: two claims are called {claim.id!r}; every id stands once", claim=claim.id)
-        verdicts[claim.id] = _judged(name, claim, benches)
+        with standing("claim", position):
+            keys.look(table, {"id": keys.CLAIM["id"]}, f"{name}: claim {position}", str(position))
+            claim = Claim(str(table.get("id", position)), table)
+            if claim.id in verdicts:
+                raise InputError(
+                    f"{name}: two claims are called {claim.id!r}; every id stands once", claim=claim.id, key="id"
+                )
+            verdicts[claim.id] = _judged(name, claim, benches)
     words = [describe_arm(model, _own_words(data, key)) for key, model in arms.items()]
     title, source, notes = str(data.get("title", name)), str(data.get("source", "")), str(data.get("notes", ""))
     return Judgement(title, source, tuple(words), tuple(verdicts.values()), notes)
+
+
+def _define(name: str, data: dict[str, Any], arm: str, bench: Evidence) -> None:
+    """Let the formulas of one arm use the file's matrices and symbols."""
+    for matrix, rows in data.get("matrices", {}).items():
+        try:
+            bench.define_matrix(matrix, rows)
+        except InputError as error:
+            raise InputError(f"{name}: [matrices] {matrix}: {error}", place=("matrices", matrix)) from None
+    given = _symbols(data, arm)
+    stands = {
+        plain(k): ("symbols", arm, k) if isinstance(data["symbols"].get(arm), dict) else ("symbols", k) for k in given
+    }
+    try:
+        symbols = in_order({plain(k): str(v) for k, v in given.items()})
+    except InputError as error:
+        place = stands.get(str(error.data.get("symbol")), ("symbols",))
+        raise InputError(f"{name}: [symbols] {error}", place=place) from None
+    for symbol, body in symbols.items():
+        try:
+            bench.define(symbol, body)
+        except InputError as error:
+            raise InputError(f"{name}: [symbols] {symbol}: {error}", place=stands[symbol]) from None
 
 
 def _judged(name: str, claim: Claim, benches: dict[str, Evidence]) -> Verdict:
@@ -202,6 +222,7 @@ def _judged(name: str, claim: Claim, benches: dict[str, Evidence]) -> Verdict:
         raise InputError(
             f"{name}: claim {claim.id}: kind = {keys.shown(kind)} is not known{hint} Kinds are {', '.join(JUDGES)}.",
             claim=claim.id,
+            key="kind",
         )
     judge = JUDGES[kind]
     place = f"{name}: claim {claim.id} ({kind})"
@@ -218,15 +239,16 @@ def _judged(name: str, claim: Claim, benches: dict[str, Evidence]) -> Verdict:
         raise InputError(
             f"{name}: claim {claim.id} names the arm {keys.shown(which)}; the file has {', '.join(benches)}",
             claim=claim.id,
+            key="arm",
         )
     try:
         return judge.judge(benches[which], claim)
     except FormulaError as error:
-        raise FormulaError(f"{name}: claim {claim.id}: {error}", claim=claim.id, **error.data) from None
+        raise FormulaError(f"{name}: claim {claim.id}: {error}", **{**error.data, "claim": claim.id}) from None
     except InputError as error:
         message = str(error)
         place = "" if message.startswith("claim ") else f"claim {claim.id}: "
-        raise InputError(f"{name}: {place}{message}", claim=claim.id) from None
+        raise InputError(f"{name}: {place}{message}", **{**error.data, "claim": claim.id}) from None
 
 
 def _read(source: str | os.PathLike[str]) -> tuple[str, str]:
@@ -266,8 +288,12 @@ def _arms(name: str, data: dict[str, Any], given: Described | None) -> dict[str,
         raise InputError(
             f'{name}: no arm is named; write [arm] with name = "denso-vp6242", or file, or a DH table in rows'
         )
-    group = "arms." if "arms" in data else ""
-    return {key: read_arm(f"{name}: [{group}{key}]", table) for key, table in tables.items()}
+    group = ("arms",) if "arms" in data else ()
+    out = {}
+    for key, table in tables.items():
+        with standing(*group, key):
+            out[key] = read_arm(f"{name}: [{'.'.join((*group, key))}]", table)
+    return out
 
 
 def _own_words(data: dict[str, Any], key: str) -> str:

@@ -41,7 +41,7 @@ def read_conditions(text: str, read: Callable[[str], Expr]) -> tuple[Condition, 
     for one in _AND.split(text.strip()):
         pieces = _COMPARED.split(one)
         if len(pieces) < 3 or not all(p.strip() for p in pieces):
-            raise InputError(f'when: {one!r} is no comparison; write it as "s5 > 0" or "0 < theta5 < pi"')
+            raise InputError(f'when: {one!r} is no comparison; write it as "s5 > 0" or "0 < theta5 < pi"', key="when")
         sides = [read(p) for p in pieces[::2]]
         for k, sign in enumerate(pieces[1::2]):
             pair = (sides[k], sides[k + 1]) if sign[0] == "<" else (sides[k + 1], sides[k])

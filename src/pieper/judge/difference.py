@@ -103,7 +103,7 @@ def _exact_environment(model: ArmModel, samples: Samples, k: int, definitions: d
         if model.sliding(joint):
             env[f"theta{joint}"] = field.rational(decimal(value))
         else:
-            env[f"theta{joint}"] = field.rational(Fraction(f"{np.degrees(value):.1f}")) * field.pi / 180
+            env[f"theta{joint}"] = field.rational(Fraction(f"{np.degrees(value):z.1f}")) * field.pi / 180
     for alias, target in model.aliases.items():
         env[alias] = env[target]
     T = model.pose_exact(env, field)

@@ -107,7 +107,7 @@ class Evidence:
         with under("where"):
             ordered = in_order({plain(k): str(v) for k, v in where.items()}, {*self.model.names(), *self.definitions})
         for name, body in ordered.items():
-            with under(f"where {name}"):
+            with under(f"where {name}", "where"):
                 refuse(name, self.model.n)
                 local[name] = self.read(body, {*self.definitions, *local}).substitute(local)
         return local
@@ -208,7 +208,9 @@ class Evidence:
         frame = self.product(claim, "frame")
         with under("frame"):
             if value_of(frame, self.samples.frames).shape[1:] != (4, 4):
-                raise InputError(f"{claim['frame']!r} must be a whole pose such as T03, for its letters are n, o, a, P")
+                raise InputError(
+                    f"{claim['frame']!r} must be a whole pose such as T03, for its letters are n, o, a, P", key="frame"
+                )
         return frame
 
     @property
@@ -243,7 +245,9 @@ class Evidence:
         out = joined(parts)
         if min(out.nominal.sum(), (~out.nominal).sum() if vary is None else count) < count // 8:
             words = " and ".join(c.text for c in self.when)
-            raise InputError(f"when: {words} is met by {found} of {count * DRAWS} joint vectors, too few to judge by")
+            raise InputError(
+                f"when: {words} is met by {found} of {count * DRAWS} joint vectors, too few to judge by", key="when"
+            )
         return out
 
     def on(self, samples: Samples) -> Evidence:
@@ -265,7 +269,9 @@ class Evidence:
         for name, degrees in (at or {}).items():
             joint = name.removeprefix("theta").removeprefix("q")
             if not (joint.isascii() and joint.isdigit()) or not 1 <= int(joint[:3]) <= self.model.n:
-                raise InputError(f"at_deg: {name!r} is no joint of this arm; write theta1 .. theta{self.model.n}")
+                raise InputError(
+                    f"at_deg: {name!r} is no joint of this arm; write theta1 .. theta{self.model.n}", key="at_deg"
+                )
             held[int(joint)] = float(degrees) if self.model.sliding(int(joint)) else float(np.radians(float(degrees)))
         conditions = read_conditions(str(when), lambda text: self.parse(text, claim.where, "when")) if when else ()
         return replace(self, held=held, when=conditions)
@@ -368,16 +374,17 @@ class Evidence:
 
 
 @contextmanager
-def under(key: str) -> Iterator[None]:
-    """Put the key under which something stands in front of what is wrong with it."""
+def under(words: str, key: str = "") -> Iterator[None]:
+    """Put where something stands in front of what is wrong with it: a key (`key`), and perhaps a name under it."""
+    own = {"key": key or words}
     try:
         yield
     except FormulaError as error:
-        raise FormulaError(f"{key}: {error}", **error.data) from None
+        raise FormulaError(f"{words}: {error}", **{**own, **error.data}) from None
     except InputError as error:
-        raise InputError(f"{key}: {error}", **error.data) from None
+        raise InputError(f"{words}: {error}", **{**own, **error.data}) from None
     except np.linalg.LinAlgError:
-        raise InputError(f"{key}: a matrix that is inverted here has no inverse") from None
+        raise InputError(f"{words}: a matrix that is inverted here has no inverse", **own) from None
 
 
 def wrapped(x: Any) -> Any:

@@ -56,7 +56,7 @@ def misprint(printed: Any, right: float) -> str:
     text = as_text(printed)
     step = last_digit(printed)
     decimals = max(0, -_exponent(text))
-    correct = f"{right:.{decimals}f}"
+    correct = f"{right:z.{decimals}f}"
     if cut_off(printed, right):
         return f"the last digit cut off, not rounded ({correct})"
     if abs(read_number(printed) - right) < step:
@@ -82,22 +82,22 @@ def misprint(printed: Any, right: float) -> str:
             and a[differ[1]] == b[differ[0]]
         ):
             return f"two digits exchanged ({correct})"
-    more = f"{right:.{decimals + 1}f}".lstrip("-")
-    less = f"{right:.{max(decimals - 1, 0)}f}".lstrip("-")
+    more = f"{right:z.{decimals + 1}f}".lstrip("-")
+    less = f"{right:z.{max(decimals - 1, 0)}f}".lstrip("-")
     for k in range(len(more)):
         if more[:k] + more[k + 1 :] == a:
-            return f"a digit lost ({f'{right:.{decimals + 1}f}'})"
+            return f"a digit lost ({f'{right:z.{decimals + 1}f}'})"
     for k in range(len(a)):
         if a[:k] + a[k + 1 :] == less:
-            return f"a digit too many ({f'{right:.{max(decimals - 1, 0)}f}'})"
+            return f"a digit too many ({f'{right:z.{max(decimals - 1, 0)}f}'})"
     return ""
 
 
 def _without_point(text: str, right: float) -> str:
     """The right number with a whole number's digits, "" where no place of the point makes them its own."""
     for decimals in range(1, len(text.lstrip("-")) + 1):
-        if f"{right:.{decimals}f}".replace(".", "").lstrip("-0") == text.lstrip("-0") != "":
-            return f"{right:.{decimals}f}" if (right < 0) == text.startswith("-") else ""
+        if f"{right:z.{decimals}f}".replace(".", "").lstrip("-0") == text.lstrip("-0") != "":
+            return f"{right:z.{decimals}f}" if (right < 0) == text.startswith("-") else ""
     return ""
 
 
@@ -109,13 +109,14 @@ def read_joints(claim: Claim, model: ArmModel, key: str = "q") -> np.ndarray:
     values = claim[found[0]]
     if not isinstance(values, list) or len(values) != model.n:
         entries = plural(len(values), "entry", "entries") if isinstance(values, list) else "no entries"
-        raise claim.error(f"{found[0]} has {entries}; the arm has {plural(model.n, 'joint')}")
+        raise claim.error(f"{found[0]} has {entries}; the arm has {plural(model.n, 'joint')}", found[0])
     out = np.empty(model.n)
     for k, value in enumerate(values):
         if found[0] == key:
             if not isinstance(value, str) or not any(u in value for u in ("deg", "rad", "\u00b0", "pi", "mm", "m")):
                 raise claim.error(
-                    f'{key}[{k + 1}] = {value!r} has no unit; write "{value} deg" or "{value} rad", or use {key}_deg'
+                    f'{key}[{k + 1}] = {value!r} has no unit; write "{value} deg" or "{value} rad", or use {key}_deg',
+                    found[0],
                 )
             out[k] = quantity(value)
         elif model.sliding(k + 1):
@@ -125,7 +126,7 @@ def read_joints(claim: Claim, model: ArmModel, key: str = "q") -> np.ndarray:
             angle = quantity(value) if formula else read_number(value)
             out[k] = np.radians(angle) if found[0].endswith("_deg") else angle
     if not np.all(np.isfinite(out)):
-        raise claim.error(f"{found[0]} holds a value that is not finite")
+        raise claim.error(f"{found[0]} holds a value that is not finite", found[0])
     return out
 
 
@@ -138,7 +139,7 @@ def unit_of(claim: Claim, model: ArmModel) -> str:
     """Return the unit of length of a claim, the arm's own where it says none."""
     unit = claim.get("unit", model.unit)
     if unit not in UNITS:
-        raise claim.error(f"unit {unit!r} is not known; use one of {', '.join(UNITS)}")
+        raise claim.error(f"unit {unit!r} is not known; use one of {', '.join(UNITS)}", "unit")
     return unit
 
 
@@ -164,12 +165,13 @@ def read_matrix(claim: Claim, key: str = "matrix") -> list[list]:
     """Read a printed 4 by 4 (or 3 by 4, 3 by 3) matrix of numbers; "" marks an entry that is not claimed."""
     rows = claim.get(key)
     if not isinstance(rows, list) or not all(isinstance(r, list) for r in rows):
-        raise claim.error(f"{key} must be a list of rows")
+        raise claim.error(f"{key} must be a list of rows", key)
     shape = (len(rows), len(rows[0]) if rows else 0)
     if shape not in ((4, 4), (3, 4), (3, 3)) or any(len(r) != shape[1] for r in rows):
         raise claim.error(
             f"{key} has {len(rows)} rows of {', '.join(str(len(r)) for r in rows)} entries; a pose is 4 x 4 (or its "
-            f"upper 3 x 4, or a 3 x 3 rotation)"
+            f"upper 3 x 4, or a 3 x 3 rotation)",
+            key,
         )
     for r, row in enumerate(rows):
         for c, value in enumerate(row):
@@ -177,5 +179,5 @@ def read_matrix(claim: Claim, key: str = "matrix") -> list[list]:
                 try:
                     read_number(value)
                 except InputError as error:
-                    raise claim.error(f"{key} entry ({r + 1},{c + 1}): {error}") from None
+                    raise claim.error(f"{key} entry ({r + 1},{c + 1}): {error}", key) from None
     return rows

@@ -89,7 +89,7 @@ def _apart(plan: Plan, branch: Branch, start: Array) -> float:
 
 def _joints(plan: Plan, q: Array) -> str:
     return ", ".join(
-        f"{value * 1e3:.1f} mm" if slides else f"{np.degrees(value):.1f} deg"
+        f"{value * 1e3:z.1f} mm" if slides else f"{np.degrees(value):z.1f} deg"
         for value, slides in zip(q, plan.prismatic, strict=True)
     )
 

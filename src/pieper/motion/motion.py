@@ -51,7 +51,7 @@ class Tight:
 
     def __str__(self) -> str:
         whose = f"{self.limit} of {self.joint}" if self.joint else self.limit
-        return f"{self.start:.3f} to {self.end:.3f} s: {whose}"
+        return f"{self.start:z.3f} to {self.end:z.3f} s: {whose}"
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -73,18 +73,16 @@ def between(T0: Array, T1: Array, s: ArrayLike) -> Array:
 
 
 def shortest_turn(R0: Array, R1: Array) -> Array:
-    """Return the rotation vector (3,), rad, in the axes of R0, that turns R0 into R1 by the shorter way.
+    """Return the rotation vectors (..., 3), rad, in the axes of R0 (..., 3, 3), that turn it into R1 the shorter way.
 
     Equal matrices give exactly zero. Within `HALF_TURN_MARGIN` of half a turn the rounding of the matrices would choose
     the sign of the axis, so its largest component is made positive instead.
     """
-    if np.array_equal(R0, R1):
-        return np.zeros(3)
-    turn = rotation_vector(R0.T @ R1)
-    angle = np.linalg.norm(turn)
-    if angle > np.pi - HALF_TURN_MARGIN and turn[np.argmax(np.abs(turn))] < 0:
-        turn = -turn
-    return turn
+    turn = rotation_vector(np.swapaxes(R0, -1, -2) @ R1)
+    angle = np.linalg.norm(turn, axis=-1, keepdims=True)
+    largest = np.take_along_axis(turn, np.argmax(np.abs(turn), axis=-1, keepdims=True), axis=-1)
+    turn = np.where((angle > np.pi - HALF_TURN_MARGIN) & (largest < 0), -turn, turn)
+    return np.where((R0 == R1).all((-2, -1))[..., None], 0.0, turn)
 
 
 def checked_path(path: PoseLike) -> Array:

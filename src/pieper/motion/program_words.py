@@ -27,20 +27,20 @@ def told(name: str, instructions: Sequence[Instruction], motion: Motion, strays:
         strays: How far lines, circles and splines are left, m.
     """
     count = sum(isinstance(item, Move) for item in instructions)
-    lines = [f"{plural(count, 'move')} of {name}, {motion.duration:.3f} s in all."]
+    lines = [f"{plural(count, 'move')} of {name}, {motion.duration:z.3f} s in all."]
     number = 0
     for item in instructions:
         if isinstance(item, Move):
             number += 1
             x, y, z = (round(float(v) * 1e3, 1) + 0.0 for v in item.T[:3, 3])
             corner = f", blend {item.blend * 1e3:g} mm" if item.blend else ""
-            lines.append(f"{number}. {_WORDS[item.kind]} x {x:.1f}, y {y:.1f}, z {z:.1f} mm{corner}")
+            lines.append(f"{number}. {_WORDS[item.kind]} x {x:z.1f}, y {y:z.1f}, z {z:z.1f} mm{corner}")
         elif isinstance(item, (ToolChange, FrameChange)):
             what = "tool" if isinstance(item, ToolChange) else "targets in the frame"
-            x, y, z, roll, pitch, yaw = (f"{v:.1f}" for v in read_pose(item.T, "rpy", degrees=True, mm=True))
+            x, y, z, roll, pitch, yaw = (f"{v:z.1f}" for v in read_pose(item.T, "rpy", degrees=True, mm=True))
             lines.append(f"   {what} at x {x}, y {y}, z {z} mm, roll {roll}, pitch {pitch}, yaw {yaw} deg")
         else:
             lines.append("   " + _EVENTS.said(item))
     kept = f"lines, circles and splines are kept to {strays * 1e6:.2g} um"
-    lines.append(f"The largest value over its limit is {motion.margin:.6f}; {kept}.")
+    lines.append(f"The largest value over its limit is {motion.margin:z.6f}; {kept}.")
     return "\n".join([*lines, *motion.remarks])

@@ -122,7 +122,7 @@ class Comparison:
 
     def percent(self, row: int, axis: int, digits: int = 4) -> str:
         """Return a relative error as text, or "undefined"."""
-        return f"{self.relative[row, axis]:.{digits}f} %" if self.defined[row, axis] else "undefined"
+        return f"{self.relative[row, axis]:z.{digits}f} %" if self.defined[row, axis] else "undefined"
 
     def table(self) -> list[list[str]]:
         """Return the comparison as rows of text, millimetres and percent, a heading first."""

@@ -55,7 +55,7 @@ class Event:
 
     def __str__(self) -> str:
         kind = "Stop" if self.stop else "Remark"
-        where = f"s = {self.s:.4f}, {self.metres * 1e3:.1f} mm along the path, {_between(self.point)}"
+        where = f"s = {self.s:z.4f}, {self.metres * 1e3:z.1f} mm along the path, {_between(self.point)}"
         return f"{kind} at {where} ({self.cause}{', ' + self.joint if self.joint else ''}): {self.detail}"
 
 
@@ -79,7 +79,7 @@ def placed(way: Continuation, event: Event) -> Event:
 
 def amount(way: Continuation, joint: int, value: float) -> str:
     """Return a joint value with its unit, degrees or millimetres."""
-    return f"{np.degrees(value):.2f} deg" if way.revolute[joint] else f"{value * 1e3:.2f} mm"
+    return f"{np.degrees(value):z.2f} deg" if way.revolute[joint] else f"{value * 1e3:z.2f} mm"
 
 
 def _parameter(way: Continuation, x: float) -> float:
@@ -245,6 +245,6 @@ def _swings(way: Continuation, q: Array) -> list[Event]:
         if size < SWING or size < SWING_RATIO * typical[joint]:
             continue
         name = way.plan.names[joint]
-        text = f"{name} swings {np.degrees(size):.1f} deg between points {k + 1} and {k + 2}, close to a singularity; "
+        text = f"{name} swings {np.degrees(size):z.1f} deg between points {k + 1} and {k + 2}, close to a singularity; "
         out.append(Event(_parameter(way, k), name, SINGULARITY, False, text + "the swing is continuous.", float(size)))
     return out

@@ -161,4 +161,4 @@ def solutions_figure(
 
 
 def _value(value: float, kind: str) -> str:
-    return f"{round(np.degrees(value), 1) + 0.0:.1f}°" if kind == "R" else f"{value * MM:.1f} mm"
+    return f"{np.degrees(value):z.1f}°" if kind == "R" else f"{value * MM:z.1f} mm"

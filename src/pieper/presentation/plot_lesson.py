@@ -198,9 +198,9 @@ def triangle_figure(triangle: Triangle, q: Matrix) -> Figure:
         x, y = corners[k] + np.array([0.0, -0.05 if side == "top" else 0.05]) * size
         axes.text(x, y, words, fontsize=9, color=INK, ha="center", va=side)
     for (i, j), words in (
-        ((0, 1), f"L₁ = {one:.1f} mm"),
-        ((1, 2), f"L₂ = {two:.1f} mm"),
-        ((0, 2), f"r = {third:.1f} mm"),
+        ((0, 1), f"L₁ = {one:z.1f} mm"),
+        ((1, 2), f"L₂ = {two:z.1f} mm"),
+        ((0, 2), f"r = {third:z.1f} mm"),
     ):
         middle = corners[[i, j]].mean(0)
         along = corners[j] - corners[i]
@@ -236,4 +236,4 @@ def _angle(axes: Any, corners: Matrix, radius: float, inner: float) -> None:
     axes.plot(*arc.T, color=INK, linewidth=1.2)
     middle = (start + end) / 2
     place = corners[1] + 1.9 * radius * np.array([np.cos(middle), np.sin(middle)])
-    axes.text(*place, f"γ = {np.degrees(inner):.1f}°", fontsize=9, color=INK, ha="center", va="center", **WHITE)
+    axes.text(*place, f"γ = {np.degrees(inner):z.1f}°", fontsize=9, color=INK, ha="center", va="center", **WHITE)

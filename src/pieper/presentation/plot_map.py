@@ -57,7 +57,7 @@ def map_figure(m: ReachMap, *, what: str = "fraction", at: tuple[float, float, f
     for place, (across, x, y) in enumerate(((1, 0, 2), (0, 1, 2), (2, 0, 1))):
         axes = figure.add_subplot(1, 3, place + 1)
         centre = m.axes[across][index[across]] * MM
-        plain_axes(axes, x=f"{'xyz'[x]}, mm", y=f"{'xyz'[y]}, mm", title=f"{'xyz'[across]} = {centre:.0f} mm")
+        plain_axes(axes, x=f"{'xyz'[x]}, mm", y=f"{'xyz'[y]}, mm", title=f"{'xyz'[across]} = {centre:z.0f} mm")
         layer = np.take(values, index[across], axis=across)
         shown = np.ma.masked_where(np.take(m.fraction, index[across], axis=across) == 0, layer)
         drawn = axes.pcolormesh(
@@ -91,7 +91,7 @@ def layers_figure(m: ReachMap, *, most: int = 6) -> Figure:
     top, drawn = float(m.fraction.max()) or 1.0, None
     for place, layer in enumerate(layers):
         axes = figure.add_subplot(rows, columns, place + 1)
-        plain_axes(axes, x="x, mm", y="y, mm", title=f"z = {m.axes[2][layer] * MM:.0f} mm")
+        plain_axes(axes, x="x, mm", y="y, mm", title=f"z = {m.axes[2][layer] * MM:z.0f} mm")
         axes.locator_params(nbins=5)
         share = np.ma.masked_equal(m.fraction[:, :, layer], 0.0)
         drawn = axes.pcolormesh(x, y, share.T, cmap=_shades(), vmin=0.0, vmax=top, rasterized=True, linewidth=0)

@@ -75,5 +75,5 @@ def path_figure(path: np.ndarray | Track, *, arm: Arm | None = None, title: str 
 def _ends(axes: Any, points: np.ndarray) -> None:
     for point, name in ((points[0], "first"), (points[-1], "last")):
         axes.plot(*point[:, None], color=INK, marker="o", markersize=6, markerfacecolor="white", zorder=11)
-        words = f"   {name} ({point[0]:.0f}, {point[1]:.0f}, {point[2]:.0f})"
+        words = f"   {name} ({point[0]:z.0f}, {point[1]:z.0f}, {point[2]:z.0f})"
         text(axes, point, words, fontsize=8.5, ha="left", va="bottom")

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 SAMPLES = 200_000
 #: Cells along the longer side of a slice.
 CELLS = 150
+#: How narrow a slice is drawn at least, in parts of its longer side: the marks of a flat one need the room.
+NARROWEST = 0.2
 
 
 def reach_samples(arm: Arm, *, samples: int = SAMPLES, seed: int = 1) -> np.ndarray:
@@ -84,7 +86,8 @@ def reach_figure(arm: Arm, *, points: np.ndarray | None = None, q: np.ndarray | 
     height = float(np.median(points[:, 2]))
     thick = 0.04 * float(np.ptp(points[:, 2])) + NO_DIRECTION
     near = np.abs(points[:, 2] - height) <= thick
-    title = f"from above, z = {height * MM:.0f} ± {thick * MM:.0f} mm"
+    flat = round(thick * MM) == 0
+    title = f"from above, z = {height * MM:z.0f}" + ("" if flat else f" ± {thick * MM:z.0f}") + " mm"
     above = points[near][:, :2]
     if upright:
         above = _swept(arm, above - foot[:2], foot[:2])
@@ -122,6 +125,17 @@ def _slice(axes: Any, cloud: np.ndarray, line: np.ndarray | None, labels: tuple[
         axes.plot(*(line * MM).T, color=COLOURS[1], linewidth=2.6, solid_capstyle="round", marker="o", markersize=3.5)
     axes.axvline(0, color=FAINT, linewidth=0.8, linestyle=(0, (6, 2, 1, 2)))
     axes.set_aspect("equal")
+    _widened(axes)
+
+
+def _widened(axes: Any) -> None:
+    """Give a slice that is flat, as a planar arm's is from the side, room for the numbers along its short side."""
+    sides = {"x": axes.get_xlim(), "y": axes.get_ylim()}
+    least = NARROWEST * max(high - low for low, high in sides.values())
+    for name, (low, high) in sides.items():
+        if high - low < least:
+            axes.set(**{f"{name}lim": ((low + high - least) / 2, (low + high + least) / 2)})
+            axes.locator_params(axis=name, nbins=2)
 
 
 def _smooth(filled: np.ndarray) -> np.ndarray:

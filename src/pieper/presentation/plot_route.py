@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,10 @@ if TYPE_CHECKING:
 MOST = 8
 #: A turn, and what its ends are told by, deg; how far a curve stays from the edges of a strip.
 ROUND, QUARTER, EDGE = 360.0, 90.0, 10.0
+#: Part of an interval of turns that is left free beyond its ends.
+INSET = 0.05
+#: Where a legend stands: beside the title of its strip, off what is drawn in it.
+ABOVE: dict[str, Any] = {"loc": "lower right", "bbox_to_anchor": (1.0, 0.98), "borderaxespad": 0.0}
 
 
 def route_figure(route: Route, *, title: str = "") -> Figure:
@@ -48,7 +52,9 @@ def route_figure(route: Route, *, title: str = "") -> Figure:
     for k, axes in enumerate(grid):
         plain_axes(axes, x="path, s" if k == rows - 1 else "", y="turn, deg")
         axes.set_xlim(0, 1)
-        axes.set_ylim(low, high)
+        # a route may lie along an end of the turn's interval
+        room = 0.0 if whole else INSET * (high - low)
+        axes.set_ylim(low - room, high + room)
         if not branches:
             axes.text(0.5, 0.5, "no turn is open anywhere", transform=axes.transAxes, ha="center", color=INK)
             break
@@ -66,12 +72,12 @@ def route_figure(route: Route, *, title: str = "") -> Figure:
                 axes.plot(route.s, shown, color=INK, linewidth=1.8, label=None if drawn else "route")
                 drawn = True
             if axes.get_legend_handles_labels()[1]:
-                legend(axes, loc="best")
+                legend(axes, **ABOVE)
         elif route.blocked is not None:
             first, last = route.blocked.s
             axes.axvspan(first, max(last, first + 0.004), color=INK, alpha=0.85, linewidth=0, label="blocked")
             if k == 0:
-                legend(axes, loc="best")
+                legend(axes, **ABOVE)
     name = title or f"{route.plan.name}: {route.verdict.name.lower()}"
     figure.suptitle(name, color=INK, fontsize=11, x=0.02, ha="left")
     return figure

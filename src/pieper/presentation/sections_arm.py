@@ -30,7 +30,7 @@ def fixed(value: float, digits: int = 3) -> str:
     """Return a number with at most so many digits, no trailing zeros, no negative zero, infinity as a sign."""
     if not np.isfinite(value):
         return "∞" if value > 0 else "−∞"
-    text = f"{round(float(value), digits) + 0.0:.{digits}f}"
+    text = f"{float(value):z.{digits}f}"
     text = text.rstrip("0").rstrip(".") if "." in text else text
     return text.replace("-", "−")
 
@@ -277,10 +277,11 @@ def add_reach(page: Document, arm: Arm) -> None:
     foot = arm.chain.points[0]
     far = float(np.linalg.norm(points - foot, axis=1).max())
     low, high = points[:, 2].min() * MM, points[:, 2].max() * MM
+    least, most = fixed(low, 0), fixed(high, 0)
+    height = f"stayed {least} mm" if least == most else f"lay between {least} and {most} mm"
     page.add(
         f"Of {len(points):,} postures drawn evenly inside the joint limits, the tool came as far as "
-        f"{fixed(far * MM, 0)} mm from the foot of the first axis, and its height lay between {fixed(low, 0)} and "
-        f"{fixed(high, 0)} mm."
+        f"{fixed(far * MM, 0)} mm from the foot of the first axis, and its height {height}."
     )
     page.add(
         picture(

@@ -17,7 +17,7 @@ def add_map(page: Document, m: ReachMap) -> None:
     page.section("Where the tool gets", m.explain())
     per_layer = (m.fraction > 0).sum((0, 1))
     rows = [
-        [f"{z * MM:.0f}", f"{n * m.grid.step**2:.3f}", f"{share.mean():.1%}", f"{share.max():.1%}", f"{count:,}"]
+        [f"{z * MM:z.0f}", f"{n * m.grid.step**2:z.3f}", f"{share.mean():.1%}", f"{share.max():.1%}", f"{count:,}"]
         for z, n, share, count in zip(
             m.axes[2], per_layer, np.moveaxis(m.fraction, 2, 0), m.count.sum((0, 1)), strict=True
         )

@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -65,6 +65,9 @@ def add_step(program: pieper.Program, step: object, n: int, at: str) -> None:
         program.gripper(number(step.get("value"), f"{at}, value"))
     elif kind == "output":
         program.output(whole(step.get("port"), f"{at}, port", 0, 9999), bool(step.get("value")))
+    elif kind == "call":
+        wanted = f"steps {step['first']} to {step['last']}" if step["first"] < step["last"] else f"step {step['first']}"
+        raise pieper.InputError(f"it calls {wanted} again, and only what comes before it can be: move it down.")
     elif kind == "frame":
         program.frame(pose(step.get("T"), f"{at}, T"))
     else:
@@ -88,24 +91,38 @@ def add_step(program: pieper.Program, step: object, n: int, at: str) -> None:
             program.move_c(via, pose(step.get("T"), f"{at}, T"), speed=speed, blend=blend)
 
 
+class Turn(NamedTuple):
+    """A step as it comes to be done: its place in the list from 0, what it says, and the step that calls it again."""
+
+    place: int
+    step: dict[str, Any]
+    caller: int | None = None
+
+    @property
+    def name(self) -> str:
+        """Return the step's number for a reader, and whose call it is done by."""
+        again = "" if self.caller is None else f" (called again by step {self.caller + 1})"
+        return f"step {self.place + 1}{again}"
+
+
 @dataclass(frozen=True)
 class Built:
     """A page's program as far as it can be gone.
 
     Attributes:
         program: Its steps, up to the one that cannot be done.
-        failed: That step, counted from 0, and the reason; None where all can.
-        done: Every step in the order it is done, with its place in the list counted from 0; what is called again is
-            there again, and what asks for where the arm is already is not.
-        idle: Places of steps that ask for where the arm is already.
+        failed: That step: its place from 0, its name and the reason; None where all can.
+        done: Every step in the order it is done; what is called again is there again, and what asks for where the arm
+            is already is not.
+        idle: Names of steps that ask for where the arm is already.
         left: The step that cannot be done and all that would follow, as `done`.
     """
 
     program: pieper.Program
     failed: dict[str, Any] | None
-    done: tuple[tuple[int, dict[str, Any]], ...]
-    idle: tuple[int, ...]
-    left: tuple[tuple[int, dict[str, Any]], ...]
+    done: tuple[Turn, ...]
+    idle: tuple[str, ...]
+    left: tuple[Turn, ...]
 
 
 def build(arm: pieper.Arm, message: dict[str, Any]) -> Built:
@@ -115,45 +132,49 @@ def build(arm: pieper.Arm, message: dict[str, Any]) -> Built:
         raise Refused(f"steps must be a list of 1 to {MAX_STEPS} steps.")
     limits = limits_of(message.get("limits"), arm.n)
     program = pieper.Program(arm, limits, start=vector(message.get("start"), arm.n, "start"))
-    done: list[tuple[int, dict[str, Any]]] = []
-    idle: dict[int, None] = {}
+    done: list[Turn] = []
+    idle: dict[str, None] = {}
     failed = None
     ordered = expanded(steps)
     tried = len(ordered)
-    for place, (k, step) in enumerate(ordered):
-        if _is_there(arm, program, step, f"step {k + 1}"):
-            idle[k] = None
+    for place, turn in enumerate(ordered):
+        if _is_there(arm, program, turn.step, turn.name):
+            idle[turn.name] = None
             continue
         try:
-            add_step(program, step, arm.n, f"step {k + 1}")
+            add_step(program, turn.step, arm.n, turn.name)
         except (pieper.NoSolutionError, pieper.InputError) as error:
-            failed, tried = {"step": k, "text": str(error)}, place
+            failed, tried = {"step": turn.place, "name": turn.name, "text": str(error)}, place
             break
-        done.append((k, step))
+        done.append(turn)
     return Built(program, failed, tuple(done), tuple(idle), tuple(ordered[tried:]))
 
 
-def expanded(steps: list[Any]) -> list[tuple[int, dict[str, Any]]]:
-    """Return steps with their places, calls replaced by what they call, in the frame of then."""
-    out: list[tuple[int, dict[str, Any]]] = []
+def expanded(steps: list[Any]) -> list[Turn]:
+    """Return steps as they come to be done, in the frame of then: for a call what it calls, if that comes before it."""
+    out: list[Turn] = []
 
-    def put(first: int, last: int) -> None:
+    def put(first: int, last: int, caller: int | None) -> None:
         for k in range(first, last):
             step = steps[k]
             if not isinstance(step, dict):
                 raise Refused(f"step {k + 1} must be an object.")
             if step.get("kind") == "call":
                 at = f"step {k + 1}"
-                begin = whole(step.get("first"), f"{at}, first", 1, k)
-                end = whole(step.get("last"), f"{at}, last", begin, k)
-                for _ in range(whole(step.get("times"), f"{at}, times", 1, MAX_TIMES)):
-                    put(begin - 1, end)
+                begin = whole(step.get("first"), f"{at}, first", 1, len(steps))
+                end = whole(step.get("last"), f"{at}, last", begin, len(steps))
+                times = whole(step.get("times"), f"{at}, times", 1, MAX_TIMES)
+                if end > k:
+                    out.append(Turn(k, step, caller))
+                    continue
+                for _ in range(times):
+                    put(begin - 1, end, k if caller is None else caller)
             else:
-                out.append((k, step))
+                out.append(Turn(k, step, caller))
             if len(out) > MAX_DONE:
                 raise Refused(f"The program does more than {MAX_DONE} steps when it calls some again; at most so many.")
 
-    put(0, len(steps))
+    put(0, len(steps), None)
     return out
 
 
@@ -176,6 +197,7 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
         return {"stopped": True}
     motion = program.motion(rate=number(message.get("rate", 200), "rate", largest=1000))
     every = max(1, -(-len(motion.t) // MAX_SAMPLES))
+    idle = (f"{name.capitalize()}: the arm is there already." for name in built.idle)
     kept = np.unique(np.append(np.arange(0, len(motion.t), every), len(motion.t) - 1))
     return {
         "t": motion.t[kept].tolist(),
@@ -186,7 +208,7 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
         "events": [[float(t), kind, value] for t, kind, value in motion.events],
         "tight": [asdict(x) | {"text": str(x)} for x in motion.tight],
         "margin": float(motion.margin),
-        "explain": "\n".join([program.explain(), *(f"Step {k + 1}: the arm is there already." for k in built.idle)]),
+        "explain": "\n".join([program.explain(), *idle]),
         "failed": built.failed,
         "clear": around.proved(arm, np.asarray(motion.q[kept], float), message.get("world")),
     }
@@ -198,7 +220,7 @@ def write(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     name = word(message.get("name", "program"), "name")
     built = build(arm, message)
     if built.failed is not None:
-        raise Refused(f"Step {built.failed['step'] + 1} cannot be written: {built.failed['text']}")
+        raise Refused(f"{built.failed['name'].capitalize()} cannot be written: {built.failed['text']}")
     with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
         path = Path(folder) / f"{name}{DIALECTS[dialect]}"
         built.program.write(path, dialect=dialect, name=name)

@@ -134,7 +134,7 @@ def _box(arm: pieper.Arm, step: float) -> tuple[npt.NDArray[np.float64], tuple[i
     points = arm.fk(q)[:, :3, 3]
     low, high = np.floor(points.min(0) / step) - 1, np.ceil(points.max(0) / step) + 1
     if (count := float(np.prod(high - low))) > MAX_VOXELS:
-        raise Refused(f"Voxels of {step * 1e3:g} mm are {count:,.0f}; at most {MAX_VOXELS:,}.")
+        raise Refused(f"Voxels of {step * 1e3:g} mm are {count:z,.0f}; at most {MAX_VOXELS:,}.")
     nx, ny, nz = (high - low).astype(int).tolist()
     return low * step, (nx, ny, nz)
 

@@ -11,7 +11,7 @@ import pieper
 from pieper.workbench.answers import TASKS
 from pieper.workbench.around import scene_of
 from pieper.workbench.messages import MAX_POINTS, number, optional, pose, vector, vectors, whole, word
-from pieper.workbench.programs import KINDS, MAX_THROUGH, build
+from pieper.workbench.programs import KINDS, MAX_THROUGH, Turn, build
 from pieper.workbench.table import is_of_catalog
 
 
@@ -95,17 +95,17 @@ def program_lines(arm: pieper.Arm, program: object, around: bool) -> list[str]:
     said = ", ".join(f"{k}={number(v, k)!r}" if not isinstance(v, list) else f"{k}={v!r}" for k, v in kept.items())
     start = vector(program.get("start"), n, "start")
     lines = ["", f"limits = pieper.Limits({said})", f"program = pieper.Program(arm, limits, start={_array(start)})"]
-    lines += [_called(step, n, k) for k, step in built.done]
+    lines += [_called(turn, n) for turn in built.done]
     if built.failed is not None:
-        lines.append(f"# step {built.failed['step'] + 1} cannot be done: " + " ".join(built.failed["text"].split()))
-        lines += [f"# {_called(step, n, k)}" for k, step in built.left]
+        lines.append(f"# {built.failed['name']} cannot be done: " + " ".join(built.failed["text"].split()))
+        lines += [f"# {_called(turn, n)}" for turn in built.left if turn.step.get("kind") != "call"]
     lines += ["motion = program.motion()", "print(program.explain())"]
     return [*lines, "print(arm.clear(motion, scene).explain())"] if around else lines
 
 
-def _called(step: dict[str, Any], n: int, k: int) -> str:
-    at = f"step {k + 1}"
-    return f"program.{_step(word(step.get('kind'), f'{at}, kind', KINDS), step, n, at)}"
+def _called(turn: Turn, n: int) -> str:
+    kind = word(turn.step.get("kind"), f"{turn.name}, kind", KINDS)
+    return f"program.{_step(kind, turn.step, n, turn.name)}"
 
 
 _LIMITS = ("speed", "acceleration", "jerk", "tool_speed", "tool_acceleration", "turn_speed")

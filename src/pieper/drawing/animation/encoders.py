@@ -6,18 +6,30 @@ import shutil
 import subprocess
 from collections.abc import Callable, Iterator
 from importlib import import_module
-from typing import BinaryIO, Protocol
+from typing import TYPE_CHECKING, BinaryIO, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
+from pieper.drawing.style import AXES
 from pieper.errors import InputError
+
+if TYPE_CHECKING:
+    from PIL import Image
 
 Picture = npt.NDArray[np.uint8]
 Encoder = Callable[[Iterator[Picture], BinaryIO, float, tuple[int, int]], None]
 
 #: Colours of a GIF; the pictures have few, and fewer make smaller files.
 GIF_COLOURS = 128
+#: The colours of a frame's axes and what they fade to on paper.
+_AXES_FADED = np.array(
+    [
+        [round(255 + part * (int(colour[k : k + 2], 16) - 255)) for k in (1, 3, 5)]
+        for colour in AXES
+        for part in (1.0, 0.8, 0.6, 0.4, 0.2)
+    ]
+)
 #: Quality of a WebP, percent.
 WEBP_QUALITY = 82
 
@@ -28,11 +40,24 @@ class _HasFfmpeg(Protocol):
 
 def gif(pictures: Iterator[Picture], out: BinaryIO, rate: float, size: tuple[int, int]) -> None:
     """Write a GIF that repeats for ever; its times are whole hundredths of a second, spread so that none is lost."""
-    from PIL import Image
-
-    frames = [Image.fromarray(p).quantize(GIF_COLOURS, dither=Image.Dither.NONE) for p in pictures]
+    frames = [_in_few_colours(p) for p in pictures]
     first, *rest = frames
     first.save(out, format="GIF", save_all=True, append_images=rest, duration=_durations(len(frames), rate, 10), loop=0)
+
+
+def _in_few_colours(picture: Picture) -> Image.Image:
+    """Return a picture in the colours of a GIF.
+
+    A frame's axes are a few pixels among the many of paper and links, and would be drawn in a neighbour's colour: their
+    own colours, and what they fade to on paper, are in every palette.
+    """
+    from PIL import Image
+
+    full = Image.fromarray(picture)
+    own = full.quantize(GIF_COLOURS - len(_AXES_FADED), dither=Image.Dither.NONE).getpalette() or []
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(own[: 3 * (GIF_COLOURS - len(_AXES_FADED))] + _AXES_FADED.ravel().tolist())
+    return full.quantize(palette=palette, dither=Image.Dither.NONE)
 
 
 def webp(pictures: Iterator[Picture], out: BinaryIO, rate: float, size: tuple[int, int]) -> None:

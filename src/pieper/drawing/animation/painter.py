@@ -81,7 +81,7 @@ class Painter:
         draw_shadow(self.axes, parts)
         draw_arm(self.axes, parts, self.size)
         draw_frame(self.axes, parts.frames[-1], 0.09 * self.size)
-        self.clock.set_text(f"{time:7.2f} s")
+        self.clock.set_text(f"{time:z7.2f} s")
         self.told.set_text(happenings(self.motion, time))
 
 

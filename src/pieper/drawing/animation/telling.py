@@ -26,4 +26,4 @@ def happenings(motion: Moving, time: float) -> str:
 
 def _share(value: object) -> str:
     number = float(value) if isinstance(value, (int, float)) else 0.0
-    return "open" if number == 0 else "closed" if number == 1 else f"{100 * number:.0f} % closed"
+    return "open" if number == 0 else "closed" if number == 1 else f"{100 * number:z.0f} % closed"

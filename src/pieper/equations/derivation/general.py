@@ -330,7 +330,7 @@ def _among(q: Array, rows: Any) -> float:
 
 
 def _degrees(q: Array, digits: int = 0) -> str:
-    return "(" + ", ".join(f"{x:.{digits}f}" for x in np.degrees(q)) + ") deg"
+    return "(" + ", ".join(f"{x:z.{digits}f}" for x in np.degrees(q)) + ") deg"
 
 
 def _polynomial(terms: list[tuple[float, int]], *, goes_on: bool) -> Written:

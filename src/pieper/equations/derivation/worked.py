@@ -148,9 +148,9 @@ class WorkedExample(Readable):
     @staticmethod
     def _put(value: float) -> Sym:
         """A number where a letter stood: in brackets, so that products and signs stay what they are."""
-        text = str(int(value)) if value in (1.0, -1.0) else f"{round(value, DECIMALS) + 0.0:.{DECIMALS}f}"
+        text = str(int(value)) if value in (1.0, -1.0) else f"{value:z.{DECIMALS}f}"
         return Sym(f"({text})", "", 0)
 
     @staticmethod
     def _number(value: float, unit: str = "") -> Sym:
-        return Sym(f"{round(value, DECIMALS) + 0.0:.{DECIMALS}f}{unit}", "", 0)
+        return Sym(f"{value:z.{DECIMALS}f}{unit}", "", 0)

@@ -28,7 +28,7 @@ def read_angle(ev: Evidence, claim: Claim) -> tuple[str, Expr]:
         raise claim.error('say which joint, as joint = 4 or for = "theta1+theta2"')
     angle = ev.parse(name, key="for").substitute({b: Mention(joint) for b, joint in ev.model.aliases.items()})
     if not (joint_sum(angle) or ANGLE.match(str(angle))):
-        raise claim.error(f'for = {name!r} must be a joint or a sum of joints, as in for = "theta1 + theta2"')
+        raise claim.error(f'for = {name!r} must be a joint or a sum of joints, as in for = "theta1 + theta2"', "for")
     return name, angle
 
 
@@ -40,14 +40,14 @@ def right_side(ev: Evidence, text: str, angle: Expr) -> str:
     with under("is"):
         named = ev.model.parse(left.strip())
     if unordered(named) != unordered(angle):
-        raise InputError(f"is: the left side is {left.strip()!r}, but the claim is about {angle}")
+        raise InputError(f"is: the left side is {left.strip()!r}, but the claim is about {angle}", key="is")
     return right.strip()
 
 
 def either_of(first: Expr, second: Expr) -> Expr:
     """One formula whose upper sign gives the first of two branches and whose lower sign the second."""
     if has_branch(first) or has_branch(second):
-        raise InputError("is: a list of branches holds formulas without +-")
+        raise InputError("is: a list of branches holds formulas without +-", key="is")
     half = number("0.5")
     return Add.of(Mul.of(half, Add.of(first, second)), PlusMinus(Mul.of(half, Add.of(first, Neg.of(second)))))
 
@@ -59,7 +59,7 @@ def signed(ev: Evidence, claim: Claim, node: Expr, angle: Expr) -> Expr:
     """
     new = [name for name in ev.unknown if SIGN.fullmatch(name) and name in node.symbols()]
     if len(new) > 1:
-        raise claim.error(f"{' and '.join(new)} are both new here; an earlier formula must leave one open")
+        raise claim.error(f"{' and '.join(new)} are both new here; an earlier formula must leave one open", "is")
     if not new:
         return node
     upper, lower = (node.substitute({new[0]: number(value)}) for value in ("1", "-1"))

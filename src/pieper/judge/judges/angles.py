@@ -46,7 +46,7 @@ def judge_joint(ev: Evidence, claim: Claim) -> Verdict:
     if claim.get("unit") == "deg":
         nodes = [from_degrees(node.substitute(angles_among(ev.definitions))) for node in nodes]
     if len(nodes) > 2:
-        raise claim.error("is: two branches at most stand in a list; a sign +- goes with each of them")
+        raise claim.error("is: two branches at most stand in a list; a sign +- goes with each of them", "is")
     node = nodes[0] if len(nodes) == 1 else either_of(*nodes)
     claim = claim.reads(
         f"{name} = {' or '.join(right_side(ev, str(text), angle) for text in printed)}"
@@ -114,7 +114,7 @@ def _joint_fails(ev: Evidence, claim: Claim, node: Expr, form: AngleFormula, goo
     if region:
         return claim.partly(f"Holds only where {region}.", details, slip, reading, **counts)
     if good.mean() > 0.1:
-        share = f"{100 * good.mean():.0f}% of the poses"
+        share = f"{100 * good.mean():z.0f}% of the poses"
         return claim.partly(f"Holds at {share} only; no simple region was found.", details, slip, reading, **counts)
     sentence = (
         f"Wrong: gives the joint's {'value' if form.slides else 'angle'} at {int(good.sum())} of {len(good)} poses."
@@ -169,7 +169,7 @@ def _angle_example(ev: Evidence, node: Expr, form: AngleFormula, env: dict[str, 
     unit = ev.model.unit if form.slides else "deg"
 
     def shown(value: float) -> str:
-        return f"{(value if form.slides else np.degrees(wrapped(value))):.4f}"
+        return f"{(value if form.slides else np.degrees(wrapped(value))):z.4f}"
 
     values = [v[k] for v in branch_values(node, env, wanted.shape)]
     given = " or ".join(shown(v) if np.isfinite(v) else "nothing (undefined)" for v in values)
@@ -355,5 +355,5 @@ def judge_together(ev: Evidence, claim: Claim) -> Verdict:
     if not good.any():
         return claim.wrong(f"Wrong: never right together, at 0 of {len(good)} poses.", details, "branch")
     region = region_of(ev, lambda at: (together(at), at.environment(frame)))
-    where = f"where {region}" if region else f"at {100 * good.mean():.0f}% of the poses"
+    where = f"where {region}" if region else f"at {100 * good.mean():z.0f}% of the poses"
     return claim.partly(f"Holds together only {where}.", details, "branch")

@@ -77,9 +77,9 @@ def _at_most(
         details = [("solutions found", f"{_spread(found)} of {sum(found.values())} random {what}")]
     largest, share = max(found), 100 * found[max(found)] / sum(found.values())
     if largest > count:
-        return claim.wrong(f"Wrong: there are up to {largest}, at {share:.0f}% of the random {what}.", details)
+        return claim.wrong(f"Wrong: there are up to {largest}, at {share:z.0f}% of the random {what}.", details)
     if largest == count:
-        return claim.holds(f"Holds: never more, and {count} at {share:.0f}% of the random {what}.", details)
+        return claim.holds(f"Holds: never more, and {count} at {share:z.0f}% of the random {what}.", details)
     assert ev.model.solver is not None
     tight = ev.model.solver.most(task)
     if tight == count:
@@ -138,7 +138,7 @@ def _none(ev: Evidence, claim: Claim) -> Verdict:
     share = float((best > CONDITION_MET * size).mean())
     if reached.max() > CONDITION_MET * size:
         at = ev.on(_filled(ev, q[[int(reached.argmax())]])).at(0)
-        often = f"at {100 * share:.0f}% of {LOOKED} random joint vectors" if share else "by joint vectors searched for"
+        often = f"at {100 * share:z.0f}% of {LOOKED} random joint vectors" if share else "by joint vectors searched for"
         return claim.wrong(
             f"Wrong: the condition is met {often}, and what a joint vector makes has a solution.",
             [("counter-example", at)],
@@ -190,4 +190,4 @@ def _counted(ev: Evidence, task: str, most: int = COUNTED) -> dict[int, int]:
 
 def _spread(found: Mapping[int, int]) -> str:
     total = sum(found.values())
-    return ", ".join(f"{c} at {100 * m / total:.0f}%" for c, m in found.items())
+    return ", ".join(f"{c} at {100 * m / total:z.0f}%" for c, m in found.items())

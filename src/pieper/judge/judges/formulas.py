@@ -47,7 +47,7 @@ def judge_entry(ev: Evidence, claim: Claim) -> Verdict:
     with under("of"):
         wanted = value_of(product, ev.samples.frames)
     if wanted.ndim != 1:
-        raise claim.error(f"{claim['of']!r} is a whole matrix; say which entry, as in {claim['of']}[1,4]")
+        raise claim.error(f"{claim['of']!r} is a whole matrix; say which entry, as in {claim['of']}[1,4]", "of")
     text = right.strip() if written_out else claim["is"]
     return judge_equal(ev, claim.reads(f"{claim['of']} = {text}"), node, wanted, product=product)
 
@@ -135,7 +135,7 @@ def judge_equal(
     if region:
         return claim.partly(f"Holds only where {region}.", **said)
     if good.mean() > 0.1:
-        share = f"{100 * good.mean():.0f}% of the joint vectors"
+        share = f"{100 * good.mean():z.0f}% of the joint vectors"
         return claim.partly(f"Holds at {share} only; no simple region was found.", **said)
     sentence = f"Wrong: right at {int(good.sum())} of {len(good)} joint vectors."
     if vanish:

@@ -31,7 +31,9 @@ def rows_for(ev: Evidence, claim: Claim) -> list[int]:
     if "rows" in claim:
         rows = [int(r) - 1 for r in claim["rows"]]
         if len(rows) != n or min(rows) < 0 or max(rows) >= MOST_ROWS:
-            raise claim.error(f"rows: the determinant of {n} joints takes {n} of the rows 1 to 6 (x, y, z, rx, ry, rz)")
+            raise claim.error(
+                f"rows: the determinant of {n} joints takes {n} of the rows 1 to 6 (x, y, z, rx, ry, rz)", "rows"
+            )
         return rows
     size = np.abs(ev.samples.frames["J"]).max(axis=(0, 2))
     moving = [r for r in range(MOST_ROWS) if size[r] > JUDGED_ZERO * max(1.0, ev.model.length())]
@@ -51,15 +53,17 @@ def judge_jacobian(ev: Evidence, claim: Claim) -> Verdict:
         name = str(claim.get("of", "")).replace(" ", "")
         inside = name[2:-1].split(",") if name.startswith("J[") and name.endswith("]") else []
         if len(inside) != 2 or not all(part.isdigit() for part in inside):
-            raise claim.error('of: say which entry, as in of = "J[1,2]" (rows x, y, z, rx, ry, rz; one column a joint)')
+            raise claim.error(
+                'of: say which entry, as in of = "J[1,2]" (rows x, y, z, rx, ry, rz; one column a joint)', "of"
+            )
         i, j = (int(part) for part in inside)
         if not (1 <= i <= MOST_ROWS and 1 <= j <= ev.model.n):
-            raise claim.error(f"of: the Jacobian has 6 rows and {ev.model.n} columns, not {name}")
+            raise claim.error(f"of: the Jacobian has 6 rows and {ev.model.n} columns, not {name}", "of")
         node = ev.parse(str(given), claim.where)
         return judge_equal(ev, claim.reads(f"{name} = {given}"), node, J[:, i - 1, j - 1], source=_entry(i - 1, j - 1))
     rows = [row if isinstance(row, list) else [row] for row in given]
     if any(len(row) != ev.model.n for row in rows) or len(rows) not in (2, 3, MOST_ROWS):
-        raise claim.error(f"is: a Jacobian has 6 (or, for a position, 2 or 3) rows of {ev.model.n} entries")
+        raise claim.error(f"is: a Jacobian has 6 (or, for a position, 2 or 3) rows of {ev.model.n} entries", "is")
     wrong: list[tuple[str, str]] = []
     slip = ""
     for i, row in enumerate(rows):
@@ -139,7 +143,7 @@ def judge_singular(ev: Evidence, claim: Claim) -> Verdict:
     for part in parts:
         left, equals, right = part.partition("=")
         if not equals:
-            raise claim.error(f'is: {part!r} is no equation; write it as "s5 = 0" or "s3 = 0 or s5 = 0"')
+            raise claim.error(f'is: {part!r} is no equation; write it as "s5 = 0" or "s3 = 0 or s5 = 0"', "is")
         nodes.append(ev.parse(f"({left}) - ({right})", claim.where))
     claim = claim.reads(f"singular where {' or '.join(parts)}")
     lines: list[tuple[str, str]] = []

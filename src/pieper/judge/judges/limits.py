@@ -28,7 +28,7 @@ def judge_limit(ev: Evidence, claim: Claim) -> Verdict:
     model, joint = ev.model, claim.joint(ev.model.n)
     low, high = (float(v) for v in claim["range_deg"])
     if low >= high:
-        raise claim.error(f"range_deg must be [lower, upper], got {claim['range_deg']}")
+        raise claim.error(f"range_deg must be [lower, upper], got {claim['range_deg']}", "range_deg")
     path = claim.get("path")
     if not isinstance(path, dict) or "from" not in path or "to" not in path:
         raise claim.error("a limit is judged against a path; give path = { from = [x, y, z], to = [x, y, z] }")
@@ -109,7 +109,7 @@ def judge_bounds(ev: Evidence, claim: Claim) -> Verdict:
     if fine.all():
         said = f"Inside at {tried} of {tried} random joint vectors, and outside at one that was searched for; {met}."
         return claim.partly(said, details, right=right, tried=tried)
-    share = f"{100 * fine.mean():.0f}% of the joint vectors"
+    share = f"{100 * fine.mean():z.0f}% of the joint vectors"
     return claim.partly(f"Inside at {share} only; {met}.", details, right=right, tried=tried)
 
 

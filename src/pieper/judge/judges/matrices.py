@@ -24,7 +24,7 @@ def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
     with under("of"):
         right = value_of(product, ev.samples.frames)
     if right.ndim == 1:
-        raise claim.error(f'{claim["of"]!r} is one entry; judge it with kind = "entry"')
+        raise claim.error(f'{claim["of"]!r} is one entry; judge it with kind = "entry"', "of")
     right = right if right.ndim == 3 else right[:, :, None]
     shape = right.shape[1:]
     given = [list(r) if isinstance(r, list) else [r] for r in claim["is"]]
@@ -32,7 +32,8 @@ def judge_matrix(ev: Evidence, claim: Claim) -> Verdict:
         sizes = " x ".join(str(len(r)) for r in given[:1]) if given else "0"
         raise claim.error(
             f"{claim['of']} has {shape[0]} rows of {shape[1]} entries, but {len(given)} rows "
-            f"(the first of {sizes}) are given"
+            f"(the first of {sizes}) are given",
+            "is",
         )
     wrong: list[tuple[int, int, Verdict]] = []
     ev = ev.on(ev.samples)
@@ -99,12 +100,12 @@ def judge_product(ev: Evidence, claim: Claim) -> Verdict:
     """Judge an equation between products of matrices (key is)."""
     claim = claim.reads(str(claim["is"]))
     if claim.text.count("=") != 1:
-        raise claim.error("an equation of matrices needs exactly one '=', as in \"A1 A2 = T A3^-1\"")
+        raise claim.error("an equation of matrices needs exactly one '=', as in \"A1 A2 = T A3^-1\"", "is")
     with under("is"):
         sides = [parse_product(side, ev.model.n, frozenset(ev.matrices)) for side in claim.text.split("=")]
         values = [value_of(side, ev.samples.frames) for side in sides]
     if values[0].shape != values[1].shape:
-        raise claim.error(f"the left side is {values[0].shape[1:]}, the right side {values[1].shape[1:]}")
+        raise claim.error(f"the left side is {values[0].shape[1:]}, the right side {values[1].shape[1:]}", "is")
     slack = MATRIX_ENTRY * max(1.0, float(np.abs(values[1]).max()))
 
     def same(x: np.ndarray, y: np.ndarray) -> bool:

@@ -93,7 +93,7 @@ def judge_pose(ev: Evidence, claim: Claim) -> Verdict:
 
     shape = _value(product, model, q).shape
     if len(shape) < 2 or len(printed) > shape[0] or len(printed[0]) > shape[1]:
-        raise claim.error(f"{product} has the shape {shape}; the {len(printed)} rows printed do not fit it")
+        raise claim.error(f"{product} has the shape {shape}; the {len(printed)} rows printed do not fit it", "of")
     first = reading(model, q)
     given = claim.get("q_deg", claim.get("q", claim.get("q_rad")))
     unit = " deg" if "q_deg" in claim else ""
@@ -153,7 +153,7 @@ def _rounded(printed: Any, right: float) -> str:
     decimals = min(12, max(0, round(-np.log10(last_digit(printed)))))
     if misprint(printed, right).startswith("a factor"):
         decimals += 3  # as many digits as were printed
-    return f"{right + 0.0:.{max(decimals, 0)}f}"
+    return f"{right + 0.0:z.{max(decimals, 0)}f}"
 
 
 def _matrix_text(rows: list[list]) -> str:
@@ -259,10 +259,10 @@ def _one_number(model: ArmModel, q: np.ndarray, reading: Reader, first: Reading)
         found, new = joint_that_fits(model, q, joint, value, wanted)
         if not reading(model, new).serious():
             unit, turn = (model.unit, 1.0) if model.sliding(joint + 1) else ("deg", 180 / np.pi)
-            return f"joint {joint + 1} is {turn * found:.4f} {unit}, not {turn * q[joint]:g} {unit}", "joint value"
+            return f"joint {joint + 1} is {turn * found:z.4f} {unit}, not {turn * q[joint]:g} {unit}", "joint value"
     finest = min((last_digit(first.printed[i][j]) for i, j in first.claimed), default=ROUND_OFF)
     for place, old, new_length, arm in lengths_that_fit(model, q, value, wanted):
         if not reading(arm, q).serious():
             digits = max(0, round(-np.log10(finest)))
-            return f"{place} is {new_length:.{digits}f}, not {old:g} {model.unit}", "length value"
+            return f"{place} is {new_length:z.{digits}f}, not {old:g} {model.unit}", "length value"
     return "", ""

@@ -38,9 +38,9 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
         texts = step["is"] if isinstance(step["is"], list) else [step["is"]]
         lines.append(f"{name} = " + " or ".join(map(str, texts)))
         if not ANGLE.match(str(angle)):
-            raise claim.error(f"a step solves for one joint, not for {name}")
+            raise claim.error(f"a step solves for one joint, not for {name}", "steps")
         if str(angle) in given:
-            raise claim.error(f"two steps give {name}; branches of one joint stand in its list")
+            raise claim.error(f"two steps give {name}; branches of one joint stand in its list", "steps")
         given.add(str(angle))
         where = {**claim.where, **step.where}
         grown = []
@@ -52,7 +52,8 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
                 missing = (used | {f"theta{j}" for joints in picked.values() for j in joints}) - set(known)
                 if missing:
                     raise claim.error(
-                        f"the step for {name} uses {', '.join(sorted(missing))}, which no step before it gives"
+                        f"the step for {name} uses {', '.join(sorted(missing))}, which no step before it gives",
+                        "steps",
                     )
                 env = {**fixed, **known}
                 env |= {letter: _letter(ev, letter, rows, env) for letter in picked}
@@ -61,9 +62,9 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
                     grown.append({**known, str(angle): value if slides else wrapped(value)})
         candidates = grown
         if len(candidates) > MAX_COMBINATIONS:
-            raise claim.error(f"more than {MAX_COMBINATIONS} combinations of branches")
+            raise claim.error(f"more than {MAX_COMBINATIONS} combinations of branches", "steps")
     if any(len(c) != n for c in candidates):
-        raise claim.error(f"the steps give {len(candidates[0])} of {plural(n, 'joint')}")
+        raise claim.error(f"the steps give {len(candidates[0])} of {plural(n, 'joint')}", "steps")
     claim = claim.reads("; ".join(lines))
     task = claim.get("task")
     found, truth = _closing(ev, rows, candidates, task), _existing(ev, rows, task or "pose")
@@ -74,7 +75,7 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
         positions = _closing(ev, rows, candidates, "position"), _existing(ev, rows, "position")
         if positions[1] is not None and np.array_equal(positions[0], positions[1]):
             (found, truth), said = positions, 'position (task = "position" says so; not of a pose with its orientation)'
-    spread = ", ".join(f"{v} at {100 * np.mean(found == v):.0f}%" for v in sorted(set(found.tolist())))
+    spread = ", ".join(f"{v} at {100 * np.mean(found == v):z.0f}%" for v in sorted(set(found.tolist())))
     there = "how many there are was not checked"
     if truth is not None:
         there = "there are " + " or ".join(map(str, sorted(set(truth.tolist()))))
@@ -94,7 +95,7 @@ def judge_procedure(ev: Evidence, claim: Claim) -> Verdict:
     if not found.any():
         return claim.wrong(f"Wrong: finds no solution at any of {len(rows)} {what}s.", details)
     none = np.mean(found == 0)
-    rest = f", none at {100 * none:.0f}% of them" if none else ""
+    rest = f", none at {100 * none:z.0f}% of them" if none else ""
     least, most = int(found.min()), int(found.max())
     number = plural(most, "solution") if least == most else f"{least} to {plural(most, 'solution')}"
     missing = f", {there}" if truth is not None else f"; {there}"

@@ -39,7 +39,7 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
     T = np.vstack([pose.value, [0.0, 0.0, 0.0, 1.0]])
     solutions = claim.get("solutions_deg")
     if not solutions:
-        raise claim.error("solutions_deg must list at least one joint vector")
+        raise claim.error("solutions_deg must list at least one joint vector", "solutions_deg")
     lines, bad = [], 0
     parts = [claim.part(f"{claim.id} solution {k + 1}", {"q_deg": row}) for k, row in enumerate(solutions)]
     given = [Interval(read_joints(part, model), joint_units(part, model)) for part in parts]
@@ -52,7 +52,7 @@ def judge_solutions(ev: Evidence, claim: Claim) -> Verdict:
         turn = 0.0 if position else _rotation_between(got[:3, :3], pose.value[:, :3])
         fine = reaches(model, joints, pose, position=position)
         bad += not fine
-        reached = "" if fine else f"; it reaches ({', '.join(f'{v:.3f}' for v in got[:3, 3])})"
+        reached = "" if fine else f"; it reaches ({', '.join(f'{v:z.3f}' for v in got[:3, 3])})"
         words = "closes" if fine else "is NO solution"
         said = f"position off by {gap:.{3 if fine else 6}g} {unit}" + (
             "" if position else f", orientation by {turn:.1g} deg"

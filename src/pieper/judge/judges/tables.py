@@ -72,7 +72,8 @@ def judge_errors(ev: Evidence, claim: Claim) -> Verdict:
     widths = {len(r[k]) for r in claim["rows"] for k in ("reference", "simulation")}
     if widths != {len(claim["percent"])}:
         raise claim.error(
-            f"rows: every reference and simulation must have {len(claim['percent'])} numbers, one a key of percent"
+            f"rows: every reference and simulation must have {len(claim['percent'])} numbers, one a key of percent",
+            "rows",
         )
     reference = np.array([[read_number(v) for v in r["reference"]] for r in claim["rows"]])
     simulated = np.array([[read_number(v) for v in r["simulation"]] for r in claim["rows"]])
@@ -86,7 +87,7 @@ def judge_errors(ev: Evidence, claim: Claim) -> Verdict:
         empty = [str(r + 1) for r in np.flatnonzero((reference[:, k] == 0) & (simulated[:, k] != 0))]
         undefined += [f"{axis} in row {r}" for r in empty]
         gone = f"; undefined in row {', '.join(empty)} (reference 0)" if empty else ""
-        lines.append((axis, f"printed {as_text(printed)} %, recomputed {right:.4f} %{gone}"))
+        lines.append((axis, f"printed {as_text(printed)} %, recomputed {right:z.4f} %{gone}"))
     claim = claim.reads("largest errors " + ", ".join(f"{a} {as_text(v)} %" for a, v in claim["percent"].items()))
     if wrong:
         return claim.wrong(f"Wrong in {wrong} of {len(claim['percent'])} values.", lines)
@@ -122,7 +123,7 @@ def judge_table(ev: Evidence, claim: Claim) -> Verdict:
     decimals = min(9, max(2, round(-np.log10(finest)) + 1))
 
     def shown(row: np.ndarray) -> str:
-        return f"({', '.join(f'{v + 0.0:.{decimals}f}' for v in row)})"
+        return f"({', '.join(f'{v:z.{decimals}f}' for v in row)})"
 
     lines = [(f"row {k + 1}", f"printed ({g}), by the table {shown(right[k])} {unit}") for k, g in enumerate(given)]
     few = _misprinted(rows, right, np.abs(right - printed) > within)

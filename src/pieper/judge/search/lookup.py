@@ -75,6 +75,7 @@ class Shelf:
         )
         if logs:
             kept = [k for k, letter in enumerate(self.letters) if str(letter) in long]
+            self._angles = [str(x.args[0]) if isinstance(x, Call) else "" for x in self.letters]
             for size in range(1, (LONG if len(kept) >= LONG else FACTORS) + 1):
                 made = (
                     combinations_with_replacement(range(len(logs)), size)
@@ -88,10 +89,14 @@ class Shelf:
                 self._logs.append(np.array(logs)[chosen].sum(1))
                 self._signs.append(np.array(signs)[chosen].prod(1))
         self._order = [[np.argsort(part[:, p], kind="stable") for p in range(ANCHORS)] for part in self._logs]
+        self._sorted = [
+            [part[order, p] for p, order in enumerate(orders)]
+            for part, orders in zip(self._logs, self._order, strict=True)
+        ]
 
     def _may_be(self, row: tuple[int, ...]) -> bool:
         """Whether no sine goes with the cosine of the same angle: entries of products of matrices have none such."""
-        angles = [str(x.args[0]) for k in row for x in [self.letters[k]] if isinstance(x, Call)]
+        angles = [angle for k in row if (angle := self._angles[k])]
         return len(set(angles)) == len(angles)
 
     def find(
@@ -114,10 +119,9 @@ class Shelf:
                 for anchor in range(ANCHORS):
                     if not np.isfinite(wanted[anchor]):
                         continue
-                    order = self._order[letters][anchor]
-                    first = np.searchsorted(logs[order, anchor], wanted[anchor] - SEARCH_SAME)
-                    last = np.searchsorted(logs[order, anchor], wanted[anchor] + SEARCH_SAME)
-                    for k in order[first:last].tolist():
+                    ends = wanted[anchor] - SEARCH_SAME, wanted[anchor] + SEARCH_SAME
+                    first, last = self._sorted[letters][anchor].searchsorted(ends)
+                    for k in self._order[letters][anchor][first:last].tolist():
                         if k in seen:
                             continue
                         seen.add(k)

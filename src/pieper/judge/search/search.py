@@ -106,7 +106,7 @@ class Explanation:
         """Say which slip comes nearest, of joint vectors or of poses; "" when none comes near."""
         if not self.nearest:
             return ""
-        return f"; closest: {self.nearest[0].says} (right at {100 * self.nearest[1]:.0f}% of the {what})"
+        return f"; closest: {self.nearest[0].says} (right at {100 * self.nearest[1]:z.0f}% of the {what})"
 
 
 def search(

@@ -218,8 +218,7 @@ def numbers(values: Sequence[float], digits: int, between: str = " ") -> str:
 
 def fixed(value: float, digits: int) -> str:
     """Return a number with a fixed count of decimals, zero without a sign."""
-    text = f"{value:.{digits}f}"
-    return text[1:] if text.startswith("-") and not float(text) else text
+    return f"{value:z.{digits}f}"
 
 
 def listed(count: int, number: str = NUMBER) -> str:

@@ -32,7 +32,7 @@ _LINE = (
     r"|(?P<setting>UTOOL|UFRAME)\[(?P<number>\d+)\]=PR|(?P<taking>UTOOL|UFRAME)_NUM=(?P<taken>\d+))"
 )
 _EVENTS = Events(
-    wait=lambda seconds: f"WAIT {seconds:6.2f}(sec)",
+    wait=lambda seconds: f"WAIT {seconds:z6.2f}(sec)",
     output=lambda port, value: f"DO[{port}]={'ON' if value else 'OFF'}",
     gripper=lambda value: f"! gripper {value:g}",
 )

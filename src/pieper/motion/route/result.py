@@ -169,9 +169,9 @@ class Route:
             lines.append(f"Cost {self.cost:.6g}; no route along these points costs less than {self.bound:.3g}.")
             if self.free.turns:
                 low, high = np.degrees(self.turn.min()), np.degrees(self.turn.max())
-                lines.append(f"The tool turns between {low:.2f} and {high:.2f} deg about its {self.free.axis} axis.")
+                lines.append(f"The tool turns between {low:z.2f} and {high:z.2f} deg about its {self.free.axis} axis.")
             if self.free.cone:
-                lines.append(f"Its axis is tilted by up to {np.degrees(self.tilt.max()):.2f} deg.")
+                lines.append(f"Its axis is tilted by up to {np.degrees(self.tilt.max()):z.2f} deg.")
         if self.blocked is not None:
             lines.append(self.blocked.why)
             for closed in self.blocked.closed:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -172,7 +171,8 @@ class Setting:
     @cached_property
     def _turns(self) -> tuple[Array, Array]:
         """(N - 1, 3) axis and (N - 1,) angle by which the tool turns from point to point."""
-        turn = np.array([shortest_turn(a[:3, :3], b[:3, :3]) for a, b in itertools.pairwise(self.path)])
+        R = self.path[:, :3, :3]
+        turn = shortest_turn(R[:-1], R[1:])
         angle = np.linalg.norm(turn, axis=1)
         return np.where(angle[:, None] > 0, turn / np.maximum(angle, TINY)[:, None], [0.0, 0.0, 1.0]), angle
 

@@ -155,12 +155,12 @@ def _value(shape: Shape, x: Array, weight: float, margin: float) -> float:
         cost = float(np.sum(np.sum((w * e * e) ** (shape.power / 2), axis=1) ** (1 / shape.power)))
     if weight:
         for at, side in _margins(shape, x):
-            cost += weight * float(np.sum(_barrier(side * at, margin)[0]))
+            cost += weight * float(np.sum(_barrier(side * at, margin)))
         if shape.setting.tilts:
-            cost += weight * float(np.sum(_barrier(shape.setting.inside_cone(x), margin)[0]))
+            cost += weight * float(np.sum(_barrier(shape.setting.inside_cone(x), margin)))
         if shape.turn_step is not None:
             left = shape.turn_step[:, None] - np.array([1.0, -1.0]) * e[:, shape.setting.n, None]
-            cost += weight * float(np.sum(_barrier(left, margin)[0]))
+            cost += weight * float(np.sum(_barrier(left, margin)))
     return cost
 
 
@@ -178,17 +178,29 @@ def _cone_slope(setting: Setting, x: Array) -> Array:
     return -np.stack([np.sin(a) * np.cos(b), np.cos(a) * np.sin(b)], -1) / np.sin(setting.free.cone)
 
 
-def _barrier(d: Array, margin: float) -> tuple[Array, Array, Array]:
-    """Return value, slope and bend of the barrier at distances d, none where there is no limit."""
-    far = ~np.isfinite(d)
-    safe = np.where(d > margin, d, margin)
-    inside = d > margin
-    u = (d - 2 * margin) / margin
-    u = np.where(far, 0.0, u)
-    value = np.where(inside, -np.log(safe), 0.5 * (u * u - 1) - np.log(margin))
-    slope = np.where(inside, -1 / safe, u / margin)
-    bend = np.where(inside, 1 / safe**2, 1 / margin**2)
-    return tuple(np.where(far, 0.0, v) for v in (value, slope, bend))  # type: ignore[return-value]
+def _barrier(d: Array, margin: float) -> Array:
+    """Return the barrier's values at distances d, nothing where there is no limit."""
+    value = -np.log(np.maximum(d, margin))
+    outside = d <= margin
+    if outside.any():
+        u = (d[outside] - 2 * margin) / margin
+        value[outside] = 0.5 * (u * u - 1) - np.log(margin)
+    value[np.isinf(d)] = 0.0
+    return value
+
+
+def _barrier_slope(d: Array, margin: float) -> Array:
+    """Return the slopes of the barrier at distances d, nothing where there is no limit."""
+    slope = -1 / np.maximum(d, margin)
+    outside = d <= margin
+    if outside.any():
+        slope[outside] = (d[outside] - 2 * margin) / margin**2
+    return slope
+
+
+def _barrier_bend(d: Array, margin: float) -> Array:
+    """Return the bends of the barrier at distances d, nothing where there is no limit."""
+    return 1 / np.maximum(d, margin) ** 2
 
 
 def _weights_of_steps(shape: Shape, x: Array) -> tuple[Array, Array]:
@@ -216,13 +228,13 @@ def _slope(shape: Shape, x: Array, weight: float, margin: float) -> tuple[Array,
     g[:-1] -= by_step
     if weight:
         for at, side in _margins(shape, x):
-            g[:, setting.bounded] += weight * side * _barrier(side * at, margin)[1]
+            g[:, setting.bounded] += weight * side * _barrier_slope(side * at, margin)
         if setting.tilts:
-            g[:, -2:] += weight * _barrier(setting.inside_cone(x), margin)[1][:, None] * _cone_slope(setting, x)
+            g[:, -2:] += weight * _barrier_slope(setting.inside_cone(x), margin)[:, None] * _cone_slope(setting, x)
         if shape.turn_step is not None:
             e = np.diff(x[:, setting.n])
             for side in (1.0, -1.0):
-                slope = weight * _barrier(shape.turn_step - side * e, margin)[1] * -side
+                slope = weight * _barrier_slope(shape.turn_step - side * e, margin) * -side
                 g[1:, setting.n] += slope
                 g[:-1, setting.n] -= slope
     return g, _free(setting, x)
@@ -261,17 +273,18 @@ def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: flo
     between = by_step.copy()
     if weight:
         for at, side in _margins(shape, x):
-            H[:, setting.bounded] += weight * _barrier(side * at, margin)[2]
+            H[:, setting.bounded] += weight * _barrier_bend(side * at, margin)
         if shape.turn_step is not None:
             e = np.diff(x[:, setting.n])
             for side in (1.0, -1.0):
-                bend = weight * _barrier(shape.turn_step - side * e, margin)[2]
+                bend = weight * _barrier_bend(shape.turn_step - side * e, margin)
                 H[1:, setting.n] += bend
                 H[:-1, setting.n] += bend
                 between[:, setting.n] += bend
     bent = np.einsum("kma,km,kmb->kab", Z, H, Z)
     if weight and setting.tilts:
-        _, slope, bend = _barrier(setting.inside_cone(x), margin)
+        inside = setting.inside_cone(x)
+        slope, bend = _barrier_slope(inside, margin), _barrier_bend(inside, margin)
         out = np.einsum("km,kma->ka", _cone_slope(setting, x), Z[:, -2:])
         bent += weight * bend[:, None, None] * out[:, :, None] * out[:, None, :]
         bent -= (

@@ -40,4 +40,4 @@ def _line(row: list[str], widths: list[int]) -> str:
 def _joints(plan: Plan, q: Array) -> list[str]:
     shown = np.where(plan.prismatic, q * 1e3, np.degrees(q))
     # the rounding of zero is zero, without a sign
-    return [f"{value + 0.0:.3f}" for value in np.round(shown, 3)]
+    return [f"{value:z.3f}" for value in np.round(shown, 3)]

@@ -78,7 +78,7 @@ showPanel = rail($('#rail'), $('#panels'), $('#pinned'), [
   ),
 ]);
 splitter($('#room'), $('#rail'));
-sharing.begin();
+sharing.begin(showPanel);
 
 /** An arm of the address goes before the one that the server would open with. */
 const fromAddress = sharing

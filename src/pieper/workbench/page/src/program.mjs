@@ -23,8 +23,8 @@ export const frameBefore = (k) =>
 export const taughtAt = (k) => mul(invert(frameBefore(k)), state.frames.at(-1));
 
 /**
- * Steps in another order: `to[i]` is where step i goes, or -1 where it is taken out. What calls earlier steps again calls
- * the same ones; a call that nothing is left of goes too.
+ * Steps in another order: `to[i]` is where step i goes, or -1 where it is taken out. What calls steps again calls the same
+ * ones, even where they come after it now, which it says; a call that nothing is left of goes too.
  */
 export function renumbered(steps, to) {
   const at = (k, way) => {
@@ -40,12 +40,15 @@ export function renumbered(steps, to) {
       return;
     }
     const ends = [at(s.first, 1), at(s.last, -1)].filter((k) => k !== null);
-    const first = Math.min(...ends),
-      last = Math.min(Math.max(...ends), to[i]);
-    if (ends.length === 2 && first <= last) out[to[i]] = { ...s, first, last };
+    if (ends.length === 2 && s.first <= s.last)
+      out[to[i]] = { ...s, first: Math.min(...ends), last: Math.max(...ends) };
   });
   return out.filter(Boolean);
 }
+
+/** Why step k, counted from 0, cannot be done wherever the arm is; null where nothing speaks against it. */
+export const misplaced = (s, k) =>
+  s.kind === 'call' && s.last > k ? 'Only steps before it can be done again: move it down, or name others.' : null;
 
 /** Take other steps; a step of the history by its label. */
 export function setProgram(steps, label, { key, open } = {}) {

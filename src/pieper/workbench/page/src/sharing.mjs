@@ -1,11 +1,11 @@
 // The whole state of the page as one small object: in the address, in a file, and back, with nothing taken on trust.
 import { state, on, tell, setTable, setTarget, setJoints } from './store.mjs';
-import { forgetHistory } from './history.mjs';
+import { forgetHistory, letGo } from './history.mjs';
 import { units } from './units.mjs';
 import { notations } from './rotation.mjs';
 import { rotationDefect, identity, nearestRotation } from './matrix.mjs';
 import { setTheme } from './theme.mjs';
-import { debounce } from './dom.mjs';
+import { debounce, say } from './dom.mjs';
 import { cameraState, setCamera } from './scene/view.mjs';
 import { options } from './solving.mjs';
 
@@ -202,11 +202,12 @@ function restoreProgram(s, n) {
     state.look = { mode: s.look.mode, opacity: Math.min(Math.max(s.look.opacity, 0.1), 0.9) };
 }
 
-/** Take a state; throws with the reason when it is not one of ours. */
-export function restore(s, showPanel) {
+/** Take a state; throws with the reason when it is not one of ours. With a label it is a step of the history, else its begin. */
+export function restore(s, showPanel, label = null) {
   const table = s && s.pieper === VERSION ? tableFrom(s.table) : null;
   if (!table) throw new Error('This is not a state of the workbench.');
   const n = table.joints.length;
+  if (label) tell('did', { label });
   if (Array.isArray(s.units)) {
     units.set('angle', s.units[0]);
     units.set('length', s.units[1]);
@@ -244,7 +245,8 @@ export function restore(s, showPanel) {
   tell('look', 'loaded');
   if (numbers(s.camera, 6)) setCamera(s.camera);
   setJoints(state.q, 'restored');
-  forgetHistory();
+  if (label) letGo();
+  else forgetHistory();
 }
 
 // ---- the address
@@ -261,10 +263,10 @@ export async function link() {
     .replace(/=+$/, '');
   return `${location.origin}${location.pathname}#s=${base64}`;
 }
-export async function fromAddress() {
-  const left = leftBehind();
-  if (left) return left;
-  const m = /^#s=([\w-]+)$/.exec(location.hash);
+export const fromAddress = async () => leftBehind() ?? (await read(location.hash));
+/** The state that an address holds behind its #, null where it holds none. */
+async function read(hash) {
+  const m = /^#s=([\w-]+)$/.exec(hash);
   if (!m) return null;
   if (m[1].length > 60_000) throw new Error('The link is too long.');
   const bytes = Uint8Array.from(atob(m[1].replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
@@ -301,9 +303,20 @@ const keep = debounce(async () => {
     history.replaceState(null, '', url);
   }
 }, 600);
+/** A link put into the address of an open page, and the browser's back and forward, change only what is behind the #. */
+async function follow(showPanel) {
+  if (location.href === last) return;
+  try {
+    const s = await read(location.hash);
+    if (s) restore(s, showPanel, 'open a link');
+  } catch (error) {
+    say(`The link could not be read: ${error.message}`, 'wrong');
+  }
+}
 /** Keep the address in step with the page, so that reloading or bookmarking loses nothing. */
-export function begin() {
+export function begin(showPanel) {
   addEventListener('pagehide', leave);
+  addEventListener('hashchange', () => follow(showPanel));
   on(
     [
       'table',

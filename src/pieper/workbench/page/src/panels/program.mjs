@@ -6,7 +6,7 @@ import { armNumber, askArm } from '../library.mjs';
 import { remake } from '../numberfield.mjs';
 import { moveTo } from '../animate.mjs';
 import { motionOf } from '../curves.mjs';
-import { setProgram, setStart, start, programMessage, taughtAt, renumbered } from '../program.mjs';
+import { setProgram, setStart, start, programMessage, taughtAt, renumbered, misplaced } from '../program.mjs';
 import { stepEditor } from './program_step.mjs';
 import { limitFields } from './program_limits.mjs';
 import { kindOf } from './joints.mjs';
@@ -210,7 +210,8 @@ export const program = {
     }
 
     function row(s, k) {
-      const open = k === chosen;
+      const open = k === chosen,
+        reason = failed?.step === k ? failed.text : misplaced(s, k);
       const name = h(
         'button',
         {
@@ -244,7 +245,7 @@ export const program = {
       const el = h(
         'li',
         {
-          class: `step${failed?.step === k ? ' failed' : ''}${open ? ' open' : ''}`,
+          class: `step${reason ? ' failed' : ''}${open ? ' open' : ''}`,
           draggable: 'true',
           'data-testid': `step-row-${k + 1}`,
         },
@@ -256,7 +257,7 @@ export const program = {
           name,
           rowTools({ k, n: state.program.length, name: `step ${k + 1}`, move, remove }),
         ),
-        failed?.step === k ? h('p', { class: 'reason', text: failed.text }) : null,
+        reason ? h('p', { class: 'reason', text: reason }) : null,
         open ? editor(s, k) : null,
       );
       el.addEventListener('dragstart', (e) => {
@@ -319,13 +320,18 @@ export const program = {
       if (failed) chosen = failed.step;
       verdict.say(
         failed
-          ? `Step ${failed.step + 1} cannot be done: ${failed.text}\nShown is what comes before it.`
+          ? `S${failed.name.slice(1)} cannot be done: ${failed.text}${m.duration > 0 ? '\nShown is what comes before it.' : ''}`
           : [m.explain, m.clear?.text].filter(Boolean).join('\n'),
         failed || m.clear?.verdict === 'HIT' ? 'wrong' : m.clear?.verdict === 'UNCERTAIN' ? 'note' : 'good',
       );
       binds.hidden = !m.tight.length;
       setText(binds.lastChild, m.tight.map((x) => x.text).join('\n'));
       rebuild();
+      // nothing has moved: there is no motion to show
+      if (!(m.duration > 0)) {
+        dock.show(null);
+        return;
+      }
       const events = m.events.map(([t, kind, value]) => ({
         x: t,
         s: 0,

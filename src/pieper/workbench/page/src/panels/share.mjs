@@ -123,7 +123,7 @@ export const share = (showPanel) => ({
       if (!f) return;
       try {
         if (f.size > 500_000) throw new Error('A state file has at most 500 kB.');
-        restore(JSON.parse(await f.text()), showPanel());
+        restore(JSON.parse(await f.text()), showPanel(), 'open a state');
         say('Opened');
       } catch (error) {
         say(error instanceof SyntaxError ? `${f.name} is not a state file.` : error.message, 'wrong');
