@@ -14,7 +14,7 @@ QUARTER = np.pi / 2
 ROWS = [(0.5, QUARTER, -0.1, 0), (0.3, -QUARTER, 0, 0), (0, 0, 0, 0), (0.609, -QUARTER, 0.5844, 0)]
 
 
-@pytest.mark.parametrize(("first", "last"), itertools.product([0, QUARTER, np.pi], [-QUARTER, 0, QUARTER]))
+@pytest.mark.parametrize(("first", "last"), list(itertools.product([0, QUARTER, np.pi], [-QUARTER, 0, QUARTER])))
 def test_a_fold_of_as_many_branches_as_there_can_be_is_certain(first, last):
     arm = Arm.from_dh([DH(*row) for row in ROWS], convention="standard", joint_types="RPPR")
     assert arm.plan.count.most == 2
