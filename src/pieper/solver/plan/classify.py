@@ -186,7 +186,7 @@ def _coupled(chain: Chain, description: Description, task: str | None, snap: flo
 
 
 def _linked_words(description: Description) -> str:
-    names = ", ".join(axis.name for axis in description.linked)
+    names = ", ".join(dict.fromkeys(axis.name for axis in description.linked))
     return f"a linkage that moves {names}"
 
 
