@@ -179,6 +179,9 @@ def sure_beside(plan: Plan, poses: Array) -> Bools:
 
     Those are poses at small generic side steps that are solved for certain, or the special arm that this one nearly is.
     """
+    if not plan.whole:
+        # of an arm that is filled up as many as its own axes allow, merged ones counted, are all (`settled`)
+        return np.full(len(poses), bool(plan.reduction.fill) and plan.count.most < plan.max_solutions)
     if plan.nearly is not None:
         return np.ones(len(poses), bool)
     return np.array([_certain_beside(plan, T) is not None for T in poses], bool)
@@ -224,10 +227,12 @@ def settled(plan: Plan, T: Array, found: Examined, flag: int) -> int:
     """Return the flag of a pose that was looked at: whether what was found is certainly all there is.
 
     More branches than a six-joint arm can have, merged ones counted, are not believed: so near to an arm on which
-    whole curves cross, a root is none of so many.
+    whole curves cross, a root is none of so many. Where an arm's own axes say how many there are at the most, as many,
+    merged ones counted, are all.
     """
     if not plan.whole:
-        return flag
+        every = not found.self_motions and found.multiplicity.sum() == plan.count.most < plan.max_solutions
+        return flag & ~int(Flag.UNCERTAIN) if every else flag
     if plan.direct and not found.self_motions and found.multiplicity.sum() > plan.max_solutions:
         return flag | int(Flag.UNCERTAIN)
     # Newton's method leads back to a root of more than two branches as near as rounding parts them, and no nearer
