@@ -274,10 +274,10 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: 
 
 def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
     """Return all there is at a pose that may be singular, of which rows q (m, n) are known."""
-    from pieper.solver.singular.careful import all_there, clear, every_solution, settled
+    from pieper.solver.singular.careful import all_there, clear, every_solution, settled, with_arms_beside
 
-    flag &= ~_EDGE
-    if flag & _DOUBTFUL and plan.direct and all_there(plan, T, q, flag):
+    flag, q = flag & ~_EDGE, with_arms_beside(plan, T, q)
+    if flag & _DOUBTFUL and all_there(plan, T, q, flag):
         q, inside = plan.chain.joints.inside_limits(q, plan.limits)
         return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag & ~_DOUBTFUL)
     found = None if clear(plan, q) else every_solution(plan, T, q)

@@ -121,6 +121,9 @@ SURE_ASIDE = (1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 4e-2)
 #: A solution led back onto the pose is one of its rows within this (rad; per length): of merged roots it ends
 #: in the blur.
 SAME_VOUCHED = 1e-4
+#: By how much links of arms beside one are turned and moved (rad; per length), where every elimination of its own
+#: vanishes: enough that theirs keep ten digits, little enough that nearly every pose keeps its count.
+ARM_BESIDE = 3e-4
 #: Sizes of the side steps (per length; rad) from which a singular pose is approached.
 APPROACH_SIZES = (1e-4, 1e-7)
 #: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.
