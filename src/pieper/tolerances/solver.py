@@ -42,6 +42,9 @@ SWP_TILTED = 1e-12
 SWP_IN_PLANE = 1e-9
 #: Inner links that are together shorter than this part of the largest are no measure of length.
 LENGTHLESS = 1e-9
+#: An elimination noisier than this on test poses, relative, finds what made sixteen of them or not as rounding has it:
+#: where the arm is nearly a special one, it is solved through that.
+BELIEVED_NOISE = 1e-10
 #: Below this smallest singular value (per length of the arm; rad) the damped inverse is taken.
 DAMPED_INVERSE = 1e-6
 #: How far beside a value at which what is left of the arm is solved by no family it is solved instead (rad; lengths).
