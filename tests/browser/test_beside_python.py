@@ -146,3 +146,36 @@ def test_the_screen_as_a_script_computes_what_is_on_the_screen(bench, capsys):
     assert np.allclose(found["solutions"].q, rows, atol=1e-9)
     assert len(found["program"].instructions) == 1, "the first step is where the arm stands"
     bench.shot("as-python", both=True)
+
+
+@pytest.mark.parametrize("leave", ["Enter", "Tab"])
+def test_a_field_shows_what_holds_after_a_script_has_moved_the_arm(beside, leave):
+    script, page = beside
+    page.fill("q-2", -33)
+    field = page.page.get_by_test_id("q-2")
+    q = np.radians([5, 60, -70, 5, 5, 5])
+    script.q = q
+    page.until("v => workbench.q[1] === v", float(q[1]))
+    assert field.input_value() == "60", "nobody is typing: the hand has only not left the field"
+    field.press("End")
+    field.press_sequentially("5")  # 605, heard at once; then the script again, and the hand leaves
+    page.until("v => workbench.q[1] === v", np.radians(605))
+    assert script.wait(20)
+    script.q = q + 0.5
+    page.until("v => workbench.q[1] === v", float(q[1] + 0.5))
+    assert field.input_value() == "605", "no text is changed under a hand that types"
+    field.press(leave)
+    assert float(field.input_value()) == pytest.approx(60 + np.degrees(0.5), abs=1e-3)
+    assert page.value("workbench.q") == (q + 0.5).tolist()
+
+
+def test_a_target_set_by_a_script_is_in_every_field_that_a_hand_is_not_in(beside):
+    script, page = beside
+    page.tab("Inverse")
+    page.fill("target-0", 300)
+    T = script.arm.fk(np.radians([20, 60, -150, 10, 40, 25]))
+    script.target = T
+    page.until("v => Math.abs(workbench.target[7] - v) < 1e-12", float(T[1, 3]))
+    page.fill("target-2", 260)
+    got = page.value("workbench.target")
+    assert got[3] == pytest.approx(T[0, 3], abs=1e-6) and got[11] == pytest.approx(0.26), "no number of the old target"

@@ -168,3 +168,47 @@ def test_a_matrix_that_cannot_be_read_goes_when_the_target_is_another(bench):
     assert area.input_value() == "1 2 3" and area.get_attribute("aria-invalid") == "true"
     bench.button("Take the present pose")
     assert area.get_attribute("aria-invalid") is None and area.input_value().count("[") == 4
+
+
+@pytest.mark.parametrize("how", ["typed", "pasted"])
+def test_an_entry_that_was_refused_is_not_the_next_arms(bench, how):
+    page = bench.page
+    bench.tab("DH table")
+    if how == "typed":
+        bench.fill("dh-1-a", "1e400")
+    else:
+        page.evaluate("navigator.clipboard.writeText('nan\\t90\\ninf\\t0')")
+        page.get_by_test_id("dh-1-a").focus()
+        page.keyboard.press("Control+v")
+    assert "The arm stays as it was" in bench.text("dh-wrong")
+    bench.arm("three-r")
+    cells = "[...document.querySelectorAll('[data-testid=dh-table] input.number')]"
+    shown = f"{cells}.map((f) => Number(f.value) / 1000)"
+    rows = bench.value(shown)
+    assert rows[::4] == [j["a"] for j in bench.value("workbench.table.joints")] and bench.text("dh-wrong") == ""
+    assert page.locator(".number.wrong").count() == 0
+
+
+def test_an_entry_that_was_refused_is_not_the_next_states(bench):
+    page = bench.page
+    bench.tab("World")
+    page.get_by_test_id("add-object-box").click()
+    page.wait_for_timeout(900)  # the address holds it
+    kept = bench.value("location.hash")
+    bench.fill("world-1-size-0", 33)
+    page.wait_for_timeout(900)
+    bench.fill("world-1-size-0", "5..a")
+    bench.value(f"(location.hash = '{kept}')")
+    bench.until("workbench.history[0] === 'open a link'")
+    size = bench.value("workbench.world[0].size[0]")
+    assert float(page.get_by_test_id("world-1-size-0").input_value()) == pytest.approx(1000 * size)
+    assert page.locator(".number.wrong").count() == 0
+
+
+def test_a_joint_that_cannot_be_read_stays_while_the_table_is_edited(bench):
+    page = bench.page
+    bench.fill("q-1", "5..a")
+    bench.tab("DH table")
+    bench.fill("dh-2-a", 215)
+    bench.tab("Move")
+    assert page.get_by_test_id("q-1").input_value() == "5..a"

@@ -122,6 +122,7 @@ def as_typed(sentence: str) -> str:
     for library, command in _WORDS.items():
         sentence = sentence.replace(library, command)
     cure = "are the numbers in the unit that --length says (mm where it says nothing)?"
+    sentence = sentence.replace(", or say another with name=", "")
     return _OPTIONS.sub(option, _MILLIMETRES.sub(cure, sentence))
 
 

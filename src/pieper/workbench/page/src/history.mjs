@@ -40,8 +40,21 @@ function refresh() {
   });
 }
 
+let whole = null; // the step that everything belongs to that is done meanwhile
+/** Everything that happens in f is one step. */
+export function asOne(label, f) {
+  letGo();
+  whole = { label, open: true };
+  try {
+    f();
+  } finally {
+    whole = null;
+    letGo();
+  }
+}
 /** A person did something: `key` names what the hand is on, `open` says that it stays on it until told otherwise. */
-function did({ label, key = label, open = false }) {
+function did(said) {
+  const { label, key = label, open = false } = whole ?? said;
   const now = performance.now();
   const same = key === last.key && (last.open || now - last.at < ONE_MOVE);
   if (!same && present) {
@@ -55,6 +68,7 @@ function did({ label, key = label, open = false }) {
 }
 /** The hand let go: what comes next is a step of its own. */
 export function letGo() {
+  if (whole) return;
   last = { key: null, at: 0, open: false };
 }
 

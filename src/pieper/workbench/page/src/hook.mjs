@@ -3,6 +3,7 @@ import { state } from './store.mjs';
 import { frames } from './kinematics.mjs';
 import { convert } from './convert.mjs';
 import { read } from './expression.mjs';
+import { block } from './clipboard.mjs';
 import { withPresentNumbers } from './presentnumbers.mjs';
 import { cameraState, picturesDrawn, toScreen, withPicture } from './scene/view.mjs';
 import { ghostCount, traceLength, framesDrawn, beyondDrawn, ghostsOutside } from './scene/arm.mjs';
@@ -67,6 +68,7 @@ export function expose() {
     forward: (table, q) => frames(table, q),
     convert: (table, to) => convert(table, to),
     read: (text, kind) => read(text, kind),
+    block: (text) => block(text),
     present: (equation, table, q) => withPresentNumbers(equation, table, q),
   };
   for (const [name, get] of Object.entries(seen)) Object.defineProperty(page, name, { get, enumerable: true });

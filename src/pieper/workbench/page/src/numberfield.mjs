@@ -24,10 +24,14 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
     title,
   });
   el.key = key;
+  el.mayBeEmpty = empty !== undefined;
   // what holds, as the page last said it or as it was last read here; and how that was written
   let last = null,
     lastText = null,
     shown = '';
+  // whether a hand is typing here, and whether something else has come to hold since it did
+  let typing = false,
+    behind = false;
   const parse = () => {
     if (el.value.trim() === '' && empty !== undefined) return { value: empty, symbolic: false };
     const got = read(el.value, kindOf());
@@ -48,11 +52,14 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
     el.dispatchEvent(new CustomEvent('verdict', { bubbles: true, detail: reason ? { label, reason } : null }));
   };
   const hear = (f) => {
+    behind = false;
     try {
       const got = parse();
       mark(null);
-      last = got.value;
-      lastText = got.symbolic ? el.value.trim() : null;
+      if (f) {
+        last = got.value;
+        lastText = got.symbolic ? el.value.trim() : null;
+      }
       f?.(got.value, { symbolic: got.symbolic, text: el.value.trim() });
       return true;
     } catch (error) {
@@ -60,9 +67,18 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
       return false;
     }
   };
-  el.addEventListener('input', () => hear(input));
+  el.addEventListener('input', () => {
+    typing = true;
+    hear(input);
+  });
   el.addEventListener('change', () => {
-    if (hear(commit ?? input)) el.blurred?.();
+    typing = false;
+    // every key was heard already: what came from elsewhere since goes before it
+    if (input && !commit && (behind || el.value === shown)) {
+      write();
+      return;
+    }
+    hear(commit ?? input);
   });
   let came = ''; // what stood here, and could be read, when the person came
   const keep = () => {
@@ -78,12 +94,17 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
     if (el.classList.contains('wrong')) sayWhy(el, el.title);
     el.select();
   });
-  el.addEventListener('blur', () => sayWhy(el, null));
+  el.addEventListener('blur', () => {
+    typing = false;
+    if (behind) write();
+    sayWhy(el, null);
+  });
   el.addEventListener('keydown', (e) => {
     const inTable = el.closest('table.dh');
     if (e.key === 'Escape' && el.value !== came) {
       e.preventDefault();
       el.value = came;
+      typing = false;
       hear(commit ?? input);
       el.select();
       return;
@@ -91,6 +112,7 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
     if (inTable && walk(el, e)) return;
     const way = { ArrowUp: 1, ArrowDown: -1 }[e.key];
     if (e.key === 'Enter') {
+      typing = false;
       keep();
       el.select();
     }
@@ -106,20 +128,31 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
   });
   const unread = () => el.classList.contains('wrong');
   const write = () => {
+    behind = false;
     shown = lastText ?? (last === null || last === undefined ? '' : plain(last, kindOf()));
     el.value = shown;
     wholeNumber(el);
     if (unread()) mark(null);
   };
-  /** Show a value unless the person is typing here, or has left what cannot be read and nothing else holds since; `anew`: it does. */
+  /** Show a value unless a hand is typing here, or has left what cannot be read and nothing else holds since; `anew`: it does. */
   el.put = (value, text = null, anew = false) => {
-    const same = value === last && text === lastText;
+    const held = value === last && !anew,
+      same = held && text === lastText;
     last = value;
     lastText = text;
-    if (document.activeElement === el && !el.readOnly) return;
-    if (same && !anew && (unread() || el.value === shown)) return;
+    const here = document.activeElement === el && !el.readOnly;
+    if (here && (typing || unread())) {
+      behind ||= !held;
+      return;
+    }
+    if (same && (here || unread() || el.value === shown)) return;
+    const whole = here && el.selectionStart === 0 && el.selectionEnd === el.value.length;
     write();
+    came = el.value;
+    if (whole) el.select();
   };
+  /** Give up what stands here and cannot be read. */
+  el.giveUp = write;
   /** What stood in the field that this one is in place of, and could not be read. */
   el.leave = (text) => {
     el.value = text;
@@ -143,6 +176,10 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
  */
 export function remake(root, make) {
   unlessPressed(root, () => remade(root, make));
+}
+/** Another arm, or another state: what could not be read was said of the one before. */
+export function giveUpUnread(root) {
+  for (const el of root.querySelectorAll('.number.wrong')) el.giveUp();
 }
 function remade(root, make) {
   const left = [...root.querySelectorAll('.number.wrong')];
@@ -226,40 +263,4 @@ function walk(el, e) {
   e.preventDefault();
   next.focus();
   return true;
-}
-
-/**
- * Numbers out of a clipboard: rows and columns of a spreadsheet, or brackets as Python and MATLAB write them; null where it
- * is one entry only.
- */
-export function pasted(text) {
-  const rows = text
-    .trim()
-    .replace(/^\[\s*\[|\]\s*\]$/g, '')
-    .split(/\]\s*,?\s*\[|[;\r\n]+/)
-    .map((line) => line.replace(/^[\s[(,]+|[\s\]),]+$/g, ''))
-    .filter(Boolean)
-    .map((line) => {
-      const tabs = line.split('\t');
-      // a comma between digits with no other sign between entries would be ambiguous: with a blank after it, it parts them
-      return (tabs.length > 1 ? tabs : line.split(/\s*,\s+|\s+|,(?=[^,]*\.)|,(?=[A-Za-z(-])/))
-        .map((v) => v.trim())
-        .filter(Boolean);
-    });
-  return rows.length > 1 || (rows[0]?.length ?? 0) > 1 ? rows : null;
-}
-/** Put pasted rows into fields, from one on; returns how many found a place. */
-export function fillFrom(rowsOfFields, y, x, rows) {
-  let filled = 0;
-  rows.forEach((row, i) =>
-    row.forEach((text, k) => {
-      const el = rowsOfFields[y + i]?.[x + k];
-      if (!el) return;
-      el.value = text;
-      el.dispatchEvent(new Event('input', { bubbles: true }));
-      el.dispatchEvent(new Event('change', { bubbles: true }));
-      filled += 1;
-    }),
-  );
-  return filled;
 }

@@ -6,6 +6,7 @@ import { notations } from './rotation.mjs';
 import { rotationDefect, identity, nearestRotation } from './matrix.mjs';
 import { setTheme } from './theme.mjs';
 import { debounce, say } from './dom.mjs';
+import { giveUpUnread } from './numberfield.mjs';
 import { cameraState, setCamera } from './scene/view.mjs';
 import { options } from './solving.mjs';
 
@@ -208,6 +209,7 @@ export function restore(s, showPanel, label = null) {
   if (!table) throw new Error('This is not a state of the workbench.');
   const n = table.joints.length;
   if (label) tell('did', { label });
+  giveUpUnread(document);
   if (Array.isArray(s.units)) {
     units.set('angle', s.units[0]);
     units.set('length', s.units[1]);

@@ -17,17 +17,6 @@ const newJoint = (i) => ({
 });
 
 const NAMES = { a: 'a', alpha: 'α', d: 'd', theta: 'θ', lower: 'lower limit', upper: 'upper limit', offset: 'zero' };
-let pasting = null;
-/** Everything that happens in f is one step. */
-export function asOne(label, f) {
-  pasting = { label, key: 'paste', open: true };
-  try {
-    f(pasting);
-  } finally {
-    pasting = null;
-    tell('let-go');
-  }
-}
 export function change(i, key, value, { symbolic, text }, done) {
   const joints = state.table.joints.map((j, k) =>
     k !== i ? j : { ...j, [key]: value, text: { ...j.text, [key]: symbolic ? text : undefined } },
@@ -35,20 +24,19 @@ export function change(i, key, value, { symbolic, text }, done) {
   const same =
     Object.is(state.table.joints[i][key], value) && state.table.joints[i].text?.[key] === joints[i].text[key];
   const label = `edit ${NAMES[key] ?? key} of joint ${i + 1}`;
-  const step = { what: 'cell', label, key: `${i}/${key}`, open: true };
-  if (!same) setTable({ ...state.table, joints }, pasting ? { ...step, ...pasting } : step);
-  if (done && !pasting) tell('let-go');
+  if (!same) setTable({ ...state.table, joints }, { what: 'cell', label, key: `${i}/${key}`, open: true });
+  if (done) tell('let-go');
 }
 /**
  * Joints come, go or change places; what is said joint by joint (the posture, the named postures, the coupling) goes with them.
  * `along` takes a list of n entries to the new places, a new place being filled with `fresh`.
  */
-export function restructure(joints, along, label, { key, open } = {}) {
+export function restructure(joints, along, label) {
   const { postures, coupling } = state.table;
   const named = Object.fromEntries(Object.entries(postures ?? {}).map(([name, q]) => [name, along(q, 0)]));
   const q = along(state.q, 0);
   const coupled = coupling ? along(coupling, null).map((row, i) => unit(row && along(row, 0), i, joints.length)) : null;
-  setTable({ ...state.table, joints, postures: named, coupling: coupled }, { q, what: 'rows', label, key, open });
+  setTable({ ...state.table, joints, postures: named, coupling: coupled }, { q, what: 'rows', label });
 }
 const unit = (row, i, n) => row ?? Array.from({ length: n }, (_, k) => Number(k === i));
 
@@ -59,16 +47,13 @@ export function limitReason(i, key, v) {
   if (key === 'upper' && j.lower !== null && v < j.lower) return 'below the lower limit';
   return null;
 }
-export function add({ label, key, open } = {}) {
+export function add() {
   const n = state.table.joints.length;
   if (n >= MOST) {
     say(`At most ${MOST} joints.`, 'wrong');
     return false;
   }
-  restructure([...state.table.joints, newJoint(n)], (list, fresh) => [...list, fresh], label ?? `add joint ${n + 1}`, {
-    key,
-    open,
-  });
+  restructure([...state.table.joints, newJoint(n)], (list, fresh) => [...list, fresh], `add joint ${n + 1}`);
   document.querySelector(`[data-testid="dh-${n + 1}-a"]`)?.focus();
   return true;
 }

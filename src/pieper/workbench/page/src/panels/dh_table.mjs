@@ -1,12 +1,13 @@
 // The DH table, editable in place: numbers or expressions, joints added, removed, reordered; a wrong entry leaves the last good arm.
-import { button, choice, h, replace, say, setText } from '../dom.mjs';
+import { button, choice, h, replace, setText } from '../dom.mjs';
 import { state, on, setTable } from '../store.mjs';
 import { units } from '../units.mjs';
-import { numberField, pasted, fillFrom, remake } from '../numberfield.mjs';
+import { numberField, remake } from '../numberfield.mjs';
+import { takePastes } from '../pasting.mjs';
 import { convert } from '../convert.mjs';
 import { blank } from '../kinematics.mjs';
 import { countWords } from '../library.mjs';
-import { add, asOne, change, limitReason, restructure, swap } from './dh_edits.mjs';
+import { add, change, limitReason, restructure, swap } from './dh_edits.mjs';
 import { robotOpeners, saveRobot } from './robot_files.mjs';
 import { dhSteps } from './dh_steps.mjs';
 import { rowTools } from './row_tools.mjs';
@@ -131,22 +132,9 @@ export const dhTable = {
         tool.el,
       ),
     );
-    body.addEventListener('paste', (e) => {
-      const rows = pasted(e.clipboardData.getData('text')),
-        fields = () => [...body.rows].map((r) => [...r.querySelectorAll('input.number')]);
-      if (!rows || !e.target.matches('input.number')) return;
-      e.preventDefault();
-      const y = fields().findIndex((r) => r.includes(e.target)),
-        x = fields()[y].indexOf(e.target);
-      asOne('paste a table', (step) => {
-        // a table with more rows than there are joints brings its own
-        while (state.table.joints.length < y + rows.length && add(step));
-        const filled = fillFrom(fields(), y, x, rows),
-          given = rows.flat().length;
-        say(
-          `Pasted ${filled} number${filled === 1 ? '' : 's'}${filled < given ? `; ${given - filled} had no cell` : ''}`,
-        );
-      });
+    takePastes(body, 'paste a table', (n) => {
+      // a table with more rows than there are joints brings its own
+      while (state.table.joints.length < n && add());
     });
     root.addEventListener('verdict', (e) => {
       sayWrong(e.detail ?? firstWrong(root));
@@ -221,7 +209,8 @@ export const dhTable = {
             ),
         }),
       );
-    const rebuild = (what) => (what === 'undo' ? rows() : remake(body, rows));
+    // what could not be read was said of this arm, not of another one
+    const rebuild = (what) => (what === 'undo' || what === 'new' ? rows() : remake(body, rows));
     const rows = () => {
       cells = [];
       const { joints } = state.table,

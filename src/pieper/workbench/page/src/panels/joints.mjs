@@ -2,7 +2,8 @@
 import { button, h, replace, say, setText } from '../dom.mjs';
 import { state, on, setJoint, setTable, tell } from '../store.mjs';
 import { units, showUnit, plain, fixed } from '../units.mjs';
-import { numberField } from '../numberfield.mjs';
+import { numberField, remake } from '../numberfield.mjs';
+import { takePastesAlong } from '../pasting.mjs';
 import { outsideOf } from '../scene/shape.mjs';
 import { moveTo, stop } from '../animate.mjs';
 import { reach, chainValues } from '../kinematics.mjs';
@@ -53,6 +54,7 @@ function row(i) {
     label: `${name} value`,
     kind,
     testid: `q-${i + 1}`,
+    key: `q/${joint.name}`,
     input: (v) => {
       stop();
       setJoint(i, v);
@@ -83,7 +85,7 @@ function row(i) {
       if (document.activeElement !== slider || Number(slider.value) !== v) slider.value = v;
       slider.style.setProperty('--at', percent(Math.min(Math.max(v, min), max)));
       slider.setAttribute('aria-valuetext', showUnit(v, kind));
-      number.put(Number((v * units.factor(kind)).toFixed(units.digits(kind) + 1)) / units.factor(kind));
+      number.put(v, String(Number((v * units.factor(kind)).toFixed(units.digits(kind) + 1)) + 0));
       el.classList.toggle('outside', over !== 0);
       const moved = state.table.coupling ? `chain ${showUnit(chainValues(state.table, state.q)[i], kind)}` : '';
       setText(chain, moved);
@@ -124,7 +126,11 @@ export const joints = {
       replace(gripper, state.table.actuator ? actuatorRow(state.table.actuator) : null);
       showPostures(postures);
     };
-    on('table', (what) => what !== 'gripper' && rebuild());
+    takePastesAlong(list, 'paste joint values', () => rows.map((r) => r.number));
+    on('table', (what) => {
+      if (what === 'undo' || what === 'new') rebuild();
+      else if (what !== 'gripper') remake(list, rebuild);
+    });
     on('q', () => rows.forEach((r) => r.show()));
     on('units', () => rows.forEach((r) => r.relabel()));
     rebuild();

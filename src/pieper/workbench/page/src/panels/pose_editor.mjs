@@ -1,13 +1,18 @@
 // A pose that is typed: as position and angles in the notation of the page, or as a matrix.
 import { h, replace } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
-import { numberField, pasted, fillFrom, remake } from '../numberfield.mjs';
+import { numberField, remake } from '../numberfield.mjs';
+import { block } from '../clipboard.mjs';
+import { takePastesAlong } from '../pasting.mjs';
+import { read as readNumber } from '../expression.mjs';
 import { notations, poseFrom } from '../rotation.mjs';
 import { position, nearestRotation, rotationDefect } from '../matrix.mjs';
 import { units, halfDigit } from '../units.mjs';
 
 /** How far four typed decimals may be from a rotation before they are refused rather than rounded to the nearest one. */
 const TYPED = 2e-3;
+/** What a number of a pose may lose on its way through what keeps it. */
+const SAME = 1e-12;
 
 /** @returns {el, show()}; take(T, {metres, radians}) is called with every readable pose and half of its last digits. */
 export function poseEditor(title, id, get, take, key = id) {
@@ -70,10 +75,10 @@ export function poseEditor(title, id, get, take, key = id) {
       return;
     }
     const T = get();
-    if (!T || row.contains(document.activeElement)) return;
-    // what cannot be read stands as it was typed when the hand leaves it, until there is another pose
-    const anew = T !== said;
-    if (unread() && !anew) return;
+    if (!T) return;
+    // what is typed stands as it was typed, and when the hand leaves it what cannot be read does, until there is another pose
+    const anew = !said || T.some((v, i) => Math.abs(v - said[i]) > SAME);
+    if (!anew && (unread() || row.contains(document.activeElement))) return;
     said = T;
     [...position(T), ...notations[state.notation].to(T)].forEach((v, i) => {
       parts[i].value = v;
@@ -90,13 +95,7 @@ export function poseEditor(title, id, get, take, key = id) {
   on('notation', show);
   fields();
   show();
-  row.addEventListener('paste', (e) => {
-    const list = pasted(e.clipboardData.getData('text'))?.flat();
-    const at = parts.findIndex((p) => p.f === e.target);
-    if (!list || at < 0) return;
-    e.preventDefault();
-    fillFrom([parts.map((p) => p.f)], 0, list.length === parts.length ? 0 : at, [list]);
-  });
+  takePastesAlong(row, 'paste a pose', () => parts.map((p) => p.f));
   row.addEventListener('focusout', () => setTimeout(show));
   return {
     el: h('fieldset', { class: 'pose-editor' }, h('legend', { text: title }), h('div', { class: 'pose-room' }, row)),
@@ -119,26 +118,35 @@ const rounded = (v, kind) =>
       0,
   );
 
+const WHERE = (i) => `row ${Math.floor(i / 4) + 1}, column ${(i % 4) + 1}`;
+const isPlace = (i) => i % 4 === 3 && i < 12;
+const entriesOf = (text) => block(text).flat().filter(Boolean);
+
 /** Half of the last digits of a pasted matrix: of its last column, and twice that of the rotation's entries. */
 export function matrixDigits(text) {
-  const all = text.match(NUMBER) ?? [];
-  const last = all.filter((_, i) => i % 4 === 3 && i < 12),
-    turn = all.filter((_, i) => i % 4 !== 3 && i < 12);
+  const all = entriesOf(text).slice(0, 12);
+  const last = all.filter((_, i) => isPlace(i)),
+    turn = all.filter((_, i) => !isPlace(i));
   return { metres: halfDigit(last, 'length'), radians: 2 * halfDigit(turn, 'plain') };
 }
-const NUMBER = /[-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?/g;
 
 /** Sixteen (or twelve, or nine and three) numbers as people paste them; lengths in the page's unit. */
 export function readMatrix(text) {
-  const numbers = (text.replaceAll('−', '-').match(NUMBER) ?? []).map(Number);
-  if (numbers.length !== 16 && numbers.length !== 12)
+  const entries = entriesOf(text);
+  if (entries.length !== 16 && entries.length !== 12)
     throw new Error(
-      `${numbers.length === 1 ? '1 number was' : `${numbers.length} numbers were`} found; a pose has 16 (four rows) or 12 (three rows)`,
+      `${entries.length === 1 ? '1 number was' : `${entries.length} numbers were`} found; a pose has 16 (four rows) or 12 (three rows)`,
     );
+  const numbers = entries.map((entry, i) => {
+    try {
+      return readNumber(entry, isPlace(i) ? 'length' : 'plain').value;
+    } catch (error) {
+      throw new Error(`${WHERE(i)}: ${error.message}`);
+    }
+  });
   const T = numbers.length === 16 ? numbers : [...numbers, 0, 0, 0, 1];
   if (Math.abs(T[12]) + Math.abs(T[13]) + Math.abs(T[14]) + Math.abs(T[15] - 1) > 1e-9)
     throw new Error('the last row must be 0 0 0 1');
-  if (!T.every(Number.isFinite)) throw new Error('a number is not finite');
   const defect = rotationDefect(T);
   if (defect > TYPED)
     throw new Error(
@@ -146,6 +154,5 @@ export function readMatrix(text) {
         ? 'the upper left block is left-handed, so it is no rotation'
         : `the upper left block is no rotation: its rows miss being perpendicular unit vectors by ${defect.toPrecision(2)}`,
     );
-  for (const i of [3, 7, 11]) T[i] /= units.factor('length');
   return nearestRotation(T);
 }

@@ -3,6 +3,7 @@ import { button, h, replace } from '../dom.mjs';
 import { state, on, tell } from '../store.mjs';
 import { units } from '../units.mjs';
 import { numberField, remake } from '../numberfield.mjs';
+import { takePastes } from '../pasting.mjs';
 import { armNumber, askArm } from '../library.mjs';
 import { moveTo } from '../animate.mjs';
 import { motionOf } from '../curves.mjs';
@@ -197,6 +198,7 @@ export const sequence = {
           ),
         );
     }
+    takePastes(body, 'paste into the sequence');
     const asked = () => ({
       postures: S.postures.map((p) => p.q),
       seconds: S.postures.slice(1).map((p) => p.seconds),
