@@ -41,6 +41,8 @@ class _Progress:
 
 def end_with_parent() -> None:
     """End this process when the one that began it is no more, however it ended: killed, it can tell nobody."""
+    # forked, it would catch what ends it, and wait for a main thread that waits for work
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     threading.Thread(target=_watch_parent, daemon=True).start()
 
 
@@ -51,8 +53,7 @@ def _watch_parent() -> None:
     # workers that were forked hold each other's ends of the pipe that shows it: whose child this is shows it as well
     while parent.is_alive() and os.getppid() == parent.pid:
         parent.join(1.0)
-    # what can be caught is caught where this was forked, and waits for the main thread
-    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
+    os.kill(os.getpid(), signal.SIGTERM)
 
 
 @click.command("map", cls=TakesNumbers, short_help="Fill a box with answers: what the arm reaches.")
