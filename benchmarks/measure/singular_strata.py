@@ -141,7 +141,8 @@ def measure(arm, seed: int) -> dict:
             out["flat"][decade[i]] += 1
             out["told"][decade[i]] += 1
             continue
-        families = () if plan.redundancy else arm.ik(T[i]).self_motions
+        # where a singular slice has a self-motion of its own a held arm's rows are one point of it
+        families = arm.ik(T[i], **({"redundancy": plan.defaults} if plan.redundancy else {})).self_motions
         if any(f.contains(q[i], FLAT) for f in families):
             out["flat"][decade[i]] += 1
             out["told"][decade[i]] += 1

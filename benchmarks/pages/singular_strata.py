@@ -22,8 +22,7 @@ chunk of 250:
 
 *Over 1e-12*: unmarked poses with a residual above 1e-12 per reach or rad. Times are of a machine shared by many, for
 these poses, more than half of which are looked at with care. Of seven-joint arms the joint that is held is so at its
-default value, and the curves of an exactly singular posture at that value are not asked for: what is lost of them are
-such postures, given by one representative.
+default value; an exactly singular posture at that value lies on one of the self-motions.
 
 """
 

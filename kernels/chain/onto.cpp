@@ -28,7 +28,8 @@ void onto(const PlainChain& chain, const Steps& how, long count, const double* T
         break;
       rows.take(arm, e, nullptr);
       rows.shortest(how.cutoff, step.data());
-      const double shrink = std::fmin(1.0, how.longest / std::fmax(size_of(step.data(), n), kTiny));
+      const double length = size_of(step.data(), n), shrink = std::fmin(1.0, how.longest / std::fmax(length, kTiny));
+      if (length < kNewtonStill) break;
       for (int k = 0; k < n; ++k) at[k] += shrink * step[k];
     }
     if (!better) continue;  // as it was given, to the last digit

@@ -233,8 +233,8 @@ template <class F> struct Equations {
   F e[6][27];
 };
 
-template <class F> void eliminate(const LeftSide<F>& left, const RightSide<F>& right, int layout, bool y_prismatic,
-                                  bool x_prismatic, Equations<F>& out) {
+template <class L, class F> void eliminate(const LeftSide<L>& left, const RightSide<F>& right, int layout,
+                                           bool y_prismatic, bool x_prismatic, Equations<F>& out) {
   F rows[4][6];
   Complex<F> mix[4];
   if (layout != kTwoApart) {
@@ -265,7 +265,7 @@ template <class F> void eliminate(const LeftSide<F>& left, const RightSide<F>& r
     mix[3] = {F(0.0), F(0.0)};
   }
   for (int j = 0; j < 27; ++j) {
-    F f[6], g[4], h[4];
+    L f[6], g[4], h[4];
     for (int m = 0; m < 6; ++m) f[m] = left.feature[m][j];
     for (int m = 0; m < 4; ++m) {
       g[m] = left.feature[6 + 2 * m][j];

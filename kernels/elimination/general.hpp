@@ -10,6 +10,8 @@
 #include "elimination/entry.hpp"
 
 #ifdef PIEPER_ISA
+#include <type_traits>
+
 #include "elimination/prepare.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -171,10 +173,45 @@ void make_model(General& arm) {
 
 void drop_model(General& arm) { delete static_cast<const general::Model*>(arm.model); }
 
+namespace general {
+
+// W poses at T, of which `used` are asked for.
+template <class F>
+void solve_group(const Model& model, const double* T, int used, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+  Found found[width_of<F>];
+  Report report[width_of<F>];
+  for (Found& f : found) f.count = 0;
+  solve_variant(model, model.variant[0], load_poses<F>(T), used, found, report);
+  for (int i = 0; i < used; ++i) {
+    // an elimination that has lost digits for this arm is not believed on its own word
+    const bool weak = !(report[i].size > kGeneralMarked * model.variant[0].typical);
+    bool certain =
+        model.variant[0].noise < kGeneralQuiet && trusted(model.variant[0], report[i]) && settled(report[i], found[i]);
+    // next to a pose where the elimination is singular, variants may agree on what all of them have lost
+    bool fetched = false, healthy = false;
+    const bool at_once = certain;
+    if (!certain) certain = escalate(model, load_poses<double>(T + 16 * i), found[i], &fetched, &healthy);
+    const bool singular = (weak && !healthy) || fetched;
+    // no eigenvalue near the real line: a pose beside this one brings none onto it
+    const bool edge = !at_once || report[i].nearly > 0;
+    // what only nearby arms vouch for is not certain
+    write_pose(model, found[i], certain && model.variant[0].arm == 0, edge, q + i * 6 * kSlots, valid + i * kSlots,
+               flag + i);
+    if (singular) flag[i] |= kDegenerate;
+  }
+}
+
+// What one pose alone is solved in, twice at once where lanes are wider: of vectors of every width a compiler fuses the same products
+// with sums, of plain numbers others, and a pose is to come to the same digits alone as among others.
+using Alone = std::conditional_t<PIEPER_LANES == 2, double, Lanes<2>>;
+// As many cost less one after the other than in one group.
+inline constexpr int kAlone = PIEPER_LANES < 8 ? 1 : 2;
+
+}  // namespace general
+
 void solve_general(const General& arm, const double* T, long count, double* q, std::uint8_t* valid,
                    std::uint8_t* flag) {
   using namespace general;
-  using G = Lanes<PIEPER_LANES>;
   const Model& model = *static_cast<const Model*>(arm.model);
   in_lanes(T, count, [&](long done, int used, const double* poses) {
     double* rows = q + done * 6 * kSlots;
@@ -189,26 +226,11 @@ void solve_general(const General& arm, const double* T, long count, double* q, s
       }
       return;
     }
-    Found found[PIEPER_LANES];
-    Report report[PIEPER_LANES];
-    for (Found& f : found) f.count = 0;
-    solve_variant(model, model.variant[0], load_poses<G>(poses), used, found, report);
+    if (used > kAlone) return solve_group<Lanes<PIEPER_LANES>>(model, poses, used, rows, good, say);
     for (int i = 0; i < used; ++i) {
-      // an elimination that has lost digits for this arm is not believed on its own word
-      const bool weak = !(report[i].size > kGeneralMarked * model.variant[0].typical);
-      bool certain = model.variant[0].noise < kGeneralQuiet && trusted(model.variant[0], report[i]) &&
-                     settled(report[i], found[i]);
-      // next to a pose where the elimination is singular, variants may agree on what all of them have lost
-      bool fetched = false, healthy = false;
-      const bool at_once = certain;
-      if (!certain) certain = escalate(model, load_poses<double>(poses + 16 * i), found[i], &fetched, &healthy);
-      const bool singular = (weak && !healthy) || fetched;
-      // no eigenvalue near the real line: a pose beside this one brings none onto it
-      const bool edge = !at_once || report[i].nearly > 0;
-      // what only nearby arms vouch for is not certain
-      write_pose(model, found[i], certain && model.variant[0].arm == 0, edge, rows + i * 6 * kSlots, good + i * kSlots,
-                 say + i);
-      if (singular) say[i] |= kDegenerate;
+      double same[16 * width_of<Alone>];
+      for (int k = 0; k < width_of<Alone>; ++k) __builtin_memcpy(same + 16 * k, poses + 16 * i, sizeof(double[16]));
+      solve_group<Alone>(model, same, 1, rows + i * 6 * kSlots, good + i * kSlots, say + i);
     }
   });
 }

@@ -9,7 +9,8 @@
 
 namespace pieper::PIEPER_ISA::general {
 
-template <class F, int N> void hessenberg(F (&a)[N][N]) {
+// N columns of each row count; the rest is room.
+template <class F, int N, int Room> void hessenberg(F (&a)[N][Room]) {
   for (int k = 0; k + 2 < N; ++k) {
     F tail = 0.0;
     for (int i = k + 2; i < N; ++i) tail += a[i][k] * a[i][k];

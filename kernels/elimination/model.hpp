@@ -19,9 +19,11 @@ struct Variant {
   LeftSide<double> left;       // valid unless the pose sits in links 2 to 5
   RowSpace<double, 12> basis;  // of layout 0
   RowSpace<double, 6> basis6;  // of layouts 1, 2
-  double noise;                // median over test poses of what should vanish, relative
-  double typical;              // median over test poses of the largest |determinant|
-  double open;                 // eigenvalues a test pose that belong to no solution: roots that special geometry adds
+  Between<double, 12> between;
+  Between<double, 6> between6;
+  double noise;    // median over test poses of what should vanish, relative
+  double typical;  // median over test poses of the largest |determinant|
+  double open;     // eigenvalues a test pose that belong to no solution: roots that special geometry adds
   int pose_free() const { return roles.pose_link == 0 || roles.pose_link == 5; }
 };
 
@@ -49,6 +51,10 @@ template <int N> inline const RowSpace<double, N>& basis_of(const Variant& v) {
   if constexpr (N == 12) return v.basis;
   else return v.basis6;
 }
+template <int N> inline const Between<double, N>& between_of(const Variant& v) {
+  if constexpr (N == 12) return v.between;
+  else return v.between6;
+}
 
 // Everything one variant says about W poses before eigenvalues.
 template <class F> struct Eliminated {
@@ -66,24 +72,19 @@ template <class F, int N> void eliminate_poses(const Model& model, const Variant
   if (v.arm) role_links(model, 0, v.roles, pose, out.arm_link);
   right_side(out.link, v.roles, out.right);
   const int yr = v.swap ? 4 : 3, xr = v.swap ? 3 : 4;
+  const auto finish = [&](const auto& left, const auto& basis, const auto& between) {
+    eliminate(left, out.right, v.layout, v.roles.prismatic[yr], v.roles.prismatic[xr], out.eq);
+    choose_chart<F, N>(out.eq, v.layout, out.chart_c, out.chart_s, out.largest, out.around);
+    compress(out.eq, basis, between, v.layout, out.chart_c, out.chart_s, matrix);
+  };
+  if (v.pose_free()) return finish(v.left, basis_of<N>(v), between_of<N>(v));
   LeftSide<F> left;
   RowSpace<F, N> basis;
-  if (v.pose_free()) {
-    for (int m = 0; m < 14; ++m)
-      for (int j = 0; j < 27; ++j) left.feature[m][j] = F(v.left.feature[m][j]);
-    const RowSpace<double, N>& b = basis_of<N>(v);
-    for (int j = 0; j < N; ++j)
-      for (int k = 0; k < 2 * N / 3; ++k) {
-        basis.re[j][k] = F(b.re[j][k]);
-        basis.im[j][k] = F(b.im[j][k]);
-      }
-  } else {
-    left_side(out.link, v.roles, v.chart, v.swap, left);
-    row_space<F, N>(left, v.layout, basis);
-  }
-  eliminate(left, out.right, v.layout, v.roles.prismatic[yr], v.roles.prismatic[xr], out.eq);
-  choose_chart<F, N>(out.eq, v.layout, out.chart_c, out.chart_s, out.largest, out.around);
-  compress<F, N>(out.eq, basis, v.layout, out.chart_c, out.chart_s, matrix);
+  Between<F, N> between;
+  left_side(out.link, v.roles, v.chart, v.swap, left);
+  row_space<F, N>(left, v.layout, basis);
+  products_of(basis, between);
+  finish(left, basis, between);
 }
 
 // By how much the eigenvalues fail to be the zeros of the determinant, whose sizes around the circle are given, of the largest.
@@ -92,15 +93,20 @@ template <class F, int N> void eliminate_poses(const Model& model, const Variant
 // eigenvalues of a cluster are moved far: what a backward stable computation leaves is far below what an eigenvalue that has
 // lost its digits does to it.
 inline double strayed(int count, const double* re, const double* im, const double (&around)[kRound]) {
+  using G = Lanes<PIEPER_LANES>;
+  constexpr int W = PIEPER_LANES;
   const double c1 = 0.92387953251128675613, s1 = 0.38268343236508977173, h = 0.70710678118654752440;
   const double c[kRound] = {1, c1, h, s1, 0, -s1, -h, -c1}, s[kRound] = {0, s1, h, c1, 1, c1, h, s1};
-  double product[kRound] = {1, 1, 1, 1, 1, 1, 1, 1};
-  for (int i = 0; i < count; ++i) {
-    const double a = re[i], b = im[i], inv = 1 / (1 + a * a + b * b);
-    for (int k = 0; k < kRound; ++k) {
-      const double x = s[k] * a + c[k], y = s[k] * b;
-      product[k] *= (x * x + y * y) * inv;
+  double product[kRound];
+  for (int k = 0; k < kRound; k += W) {
+    const G cosine = load<G>(c + k), sine = load<G>(s + k);
+    G all = 1.0;
+    for (int i = 0; i < count; ++i) {
+      const double a = re[i], b = im[i], inv = 1 / (1 + a * a + b * b);
+      const G x = sine * a + cosine, y = sine * b;
+      all *= (x * x + y * y) * inv;
     }
+    store(product + k, all);
   }
   int chart = 0;  // t is infinite there
   for (int k = 1; k < kRound; ++k)
@@ -114,24 +120,18 @@ inline double strayed(int count, const double* re, const double* im, const doubl
   return worst;
 }
 
-// Hidden angles of one pose: all eigenvalues, as angles with imaginary parts.
-struct Spectrum {
-  int count;
-  double angle[16], imaginary[16];
-};
-
-inline Spectrum spectrum(int count, const double* re, const double* im, double chart_c, double chart_s) {
-  Spectrum out;
-  out.count = count;
-  const double chart = __builtin_atan2(chart_s, chart_c);
-  for (int i = 0; i < out.count; ++i) {
-    // theta = 2 atan(t) for complex t = a + ib
-    const double a = re[i], b = im[i];
-    out.angle[i] = chart + (b == 0 ? 2 * __builtin_atan(a) : __builtin_atan2(2 * a, 1 - a * a - b * b));
-    const double up = a * a + (1 + b) * (1 + b), down = a * a + (1 - b) * (1 - b);
-    out.imaginary[i] = b == 0 ? 0 : 0.5 * __builtin_log(up / (down > kTiny ? down : kTiny));
-  }
-  return out;
+// The imaginary part of the hidden angle theta = 2 atan(t) of an eigenvalue t = a + ib; infinite where it is far from real.
+inline double imaginary_part(double a, double b) {
+  if (b == 0) return 0;
+  const double up = a * a + (1 + b) * (1 + b), down = a * a + (1 - b) * (1 - b);
+  // most are, and need no logarithm
+  constexpr double far = 1 + 4 * kGeneralNearlyReal;
+  if (!(up < far * down && down < far * up)) return __builtin_inf();
+  return 0.5 * __builtin_log(up / (down > kTiny ? down : kTiny));
+}
+// The real part, without the chart's.
+inline double real_part(double a, double b) {
+  return b == 0 ? 2 * __builtin_atan(a) : __builtin_atan2(2 * a, 1 - a * a - b * b);
 }
 
 }  // namespace pieper::PIEPER_ISA::general

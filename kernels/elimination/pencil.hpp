@@ -41,6 +41,30 @@ template <class F, int N> struct RowSpace {
   F re[N][2 * N / 3], im[N][2 * N / 3];
 };
 
+// The products of its columns, G^T E below.
+template <class F, int N> struct Between {
+  static constexpr int size = 4 * N / 3;
+  F of[size][size];
+};
+
+template <class F, int N> void products_of(const RowSpace<F, N>& y, Between<F, N>& out) {
+  constexpr int P = 2 * N / 3;
+  for (int a = 0; a < P; ++a)
+    for (int k = 0; k < P; ++k) {
+      F rr = 0.0, ri = 0.0, ir = 0.0, ii = 0.0;
+      for (int j = 0; j < N; ++j) {
+        rr += y.re[j][a] * y.re[j][k];
+        ri += y.re[j][a] * y.im[j][k];
+        ir += y.im[j][a] * y.re[j][k];
+        ii += y.im[j][a] * y.im[j][k];
+      }
+      out.of[a][k] = 0.0 - ri;
+      out.of[a][P + k] = 0.0 - rr;
+      out.of[P + a][k] = ii;
+      out.of[P + a][P + k] = ir;
+    }
+}
+
 template <class F, int N> void row_space(const LeftSide<F>& left, int layout, RowSpace<F, N>& out) {
   constexpr int P = 2 * N / 3;
   Complex<F> column[P][N];
@@ -114,31 +138,51 @@ template <class F, int N> F determinant(const Equations<F>& eq, int layout, F c,
 // Angles around the circle at which the determinant is taken.
 inline constexpr int kRound = 8;
 
+inline constexpr double kRoundCos[kRound] = {1,  0.70710678118654752440,  0, -0.70710678118654752440,
+                                             -1, -0.70710678118654752440, 0, 0.70710678118654752440},
+                        kRoundSin[kRound] = {0, 0.70710678118654752440,  1,  0.70710678118654752440,
+                                             0, -0.70710678118654752440, -1, -0.70710678118654752440};
+
+// The sizes of the determinants there. Of one pose alone, in fewer lanes than there are, lanes are the angles.
+template <class F, int N> void determinants_around(const Equations<F>& eq, int layout, F (&around)[kRound]) {
+  if constexpr (width_of<F> < PIEPER_LANES) {
+    using G = Lanes<PIEPER_LANES>;
+    Equations<G> wide;
+    for (int r = 0; r < 6; ++r)
+      for (int j = 0; j < 27; ++j) wide.e[r][j] = G(lane(eq.e[r][j], 0));
+    double sizes[kRound];
+    for (int k = 0; k < kRound; k += PIEPER_LANES)
+      store(sizes + k, abs(determinant<G, N>(wide, layout, load<G>(kRoundCos + k), load<G>(kRoundSin + k))));
+    for (int k = 0; k < kRound; ++k) around[k] = F(sizes[k]);
+  } else {
+    for (int k = 0; k < kRound; ++k) around[k] = abs(determinant<F, N>(eq, layout, F(kRoundCos[k]), F(kRoundSin[k])));
+  }
+}
+
 // The angle (of eight) where the matrix polynomial is farthest from singular becomes t = infinity. `around`: the determinants.
 template <class F, int N>
 void choose_chart(const Equations<F>& eq, int layout, F& c, F& s, F& largest, F (&around)[kRound]) {
-  const double h = 0.70710678118654752440;
-  const double cs[kRound] = {1, h, 0, -h, -1, -h, 0, h}, sn[kRound] = {0, h, 1, h, 0, -h, -1, -h};
+  determinants_around<F, N>(eq, layout, around);
   largest = F(-1.0);
   c = F(1.0);
   s = F(0.0);
   for (int k = 0; k < kRound; ++k) {
-    const F d = abs(determinant<F, N>(eq, layout, F(cs[k]), F(sn[k])));
-    around[k] = d;
-    const auto better = d > largest;
-    largest = select(better, d, largest);
-    c = select(better, F(-cs[k]), c);  // t is infinite half a turn away from the chart angle
-    s = select(better, F(-sn[k]), s);
+    const auto better = around[k] > largest;
+    largest = select(better, around[k], largest);
+    c = select(better, F(-kRoundCos[k]), c);  // t is infinite half a turn away from the chart angle
+    s = select(better, F(-kRoundSin[k]), s);
   }
 }
 
 template <class F, int N> struct Compressed {
   static constexpr int size = 4 * N / 3;
-  F h[size][size];
+  F h[size][size + 1];  // rows a power of two apart would share their places in the cache
 };
 
-template <class F, int N>
-void compress(const Equations<F>& eq, const RowSpace<F, N>& y, int layout, F c, F s, Compressed<F, N>& out) {
+// Y, B: of the arm, or of the poses too.
+template <class F, class Y, int N> void compress(const Equations<F>& eq, const RowSpace<Y, N>& y,
+                                                 const Between<Y, N>& between, int layout, F c, F s,
+                                                 Compressed<F, N>& out) {
   constexpr int P = 2 * N / 3, K = 2 * P;
   F constant[6][9], cosine[6][9], sine[6][9];
   for (int r = 0; r < 6; ++r)
@@ -156,9 +200,11 @@ void compress(const Equations<F>& eq, const RowSpace<F, N>& y, int layout, F c, 
     arrange<F, N>(cosine, layout, d);
     for (int r = 0; r < N; ++r) {
       for (int j = 0; j < N; ++j) work[r][j] = a[r][j];
+      // beyond are noughts, see `arrange`
+      const int from = N == 12 && r < 6 ? 3 : 0, to = N == 12 ? from + 9 : N;
       for (int k = 0; k < P; ++k) {
         F v = 0.0, w = 0.0;  // B E + C G for the two real columns of Y_k: E = (-im, -re), G = (re, -im)
-        for (int j = 0; j < N; ++j) {
+        for (int j = from; j < to; ++j) {
           v += d[r][j] * y.re[j][k] - b[r][j] * y.im[j][k];
           w += d[r][j] * y.im[j][k] + b[r][j] * y.re[j][k];
         }
@@ -184,21 +230,8 @@ void compress(const Equations<F>& eq, const RowSpace<F, N>& y, int layout, F c, 
         v += y.im[j][a] * work[j][N + k];
         w += y.re[j][a] * work[j][N + k];
       }
-      out.h[a][k] = v;
-      out.h[P + a][k] = w;
-    }
-    for (int k = 0; k < P; ++k) {
-      F rr = 0.0, ri = 0.0, ir = 0.0, ii = 0.0;  // G^T E
-      for (int j = 0; j < N; ++j) {
-        rr += y.re[j][a] * y.re[j][k];
-        ri += y.re[j][a] * y.im[j][k];
-        ir += y.im[j][a] * y.re[j][k];
-        ii += y.im[j][a] * y.im[j][k];
-      }
-      out.h[a][k] -= ri;
-      out.h[a][P + k] -= rr;
-      out.h[P + a][k] += ii;
-      out.h[P + a][P + k] += ir;
+      out.h[a][k] = v + between.of[a][k];
+      out.h[P + a][k] = w + between.of[P + a][k];
     }
   }
 }

@@ -60,8 +60,13 @@ inline void fill_constants(const Model& model, Variant& v) {
   Rigid link[6];
   role_links(model, v.arm, v.roles, kNoMotion, link);
   left_side(link, v.roles, v.chart, v.swap, v.left);
-  if (v.layout == kTwelve) row_space<double, 12>(v.left, v.layout, v.basis);
-  else row_space<double, 6>(v.left, v.layout, v.basis6);
+  if (v.layout == kTwelve) {
+    row_space<double, 12>(v.left, v.layout, v.basis);
+    products_of(v.basis, v.between);
+  } else {
+    row_space<double, 6>(v.left, v.layout, v.basis6);
+    products_of(v.basis6, v.between6);
+  }
 }
 
 // What of the determinant lies above its degree, relative to all of it; 1 when it vanishes.

@@ -16,14 +16,14 @@ struct Found {
   bool merged[kMaxFound];  // found twice, from two candidates that were not the same root
 };
 
-inline double joint_distance(const double* a, const double* b, const bool* prismatic) {
-  double worst = 0;
+// Whether all joints of two postures are less than this apart.
+inline bool nearer_than(double apart, const double* a, const double* b, const bool* prismatic) {
   for (int k = 0; k < 6; ++k) {
     double d = __builtin_fabs(a[k] - b[k]);
     if (!prismatic[k] && d > kPi) d = __builtin_fabs(kTwoPi - d);
-    if (d > worst) worst = d;
+    if (d >= apart) return false;
   }
-  return worst;
+  return true;
 }
 
 // Index of the solution in the set, added when new.
@@ -33,7 +33,7 @@ inline int insert(Found& set, const double* q, double sigma, double residual, co
     const double smaller = sigma < set.sigma[i] ? sigma : set.sigma[i];
     double same = kGeneralResolved / (smaller > kGeneralLeastSigma ? smaller : kGeneralLeastSigma);
     same = same > kGeneralSameMost ? kGeneralSameMost : same < kGeneralSame ? kGeneralSame : same;
-    if (joint_distance(set.q[i], q, prismatic) < same) {
+    if (nearer_than(same, set.q[i], q, prismatic)) {
       if (residual < set.residual[i]) {
         for (int k = 0; k < 6; ++k) set.q[i][k] = q[k];
         set.residual[i] = residual;
@@ -52,7 +52,8 @@ inline int insert(Found& set, const double* q, double sigma, double residual, co
 }
 
 struct Candidate {
-  int pose;        // lane of the block
+  int pose;        // lane of the block; those of one pose follow each other
+  int first;       // place of the first of its pose
   double angle;    // of the hidden joint
   double partner;  // imaginary part: 0 for a real eigenvalue
   int solution;    // index in the pose's set, or -1
@@ -133,9 +134,8 @@ inline void count_lost(const Variant& v, const Candidate* list, int count, const
     const Candidate& c = list[k];
     const bool as_real = c.partner != 0 && __builtin_fabs(c.partner) < kGeneralOneRoot, near = about(c);
     bool lost = as_real && !near;
-    for (int j = 0; j < k && near && !lost; ++j)
-      lost = list[j].pose == c.pose && list[j].solution == c.solution && about(list[j]) &&
-             found[c.pose].sigma[c.solution] >= kGeneralMerged;
+    for (int j = c.first; j < k && near && !lost; ++j)
+      lost = list[j].solution == c.solution && about(list[j]) && found[c.pose].sigma[c.solution] >= kGeneralMerged;
     report[c.pose].lost += lost;
   }
 }
@@ -154,20 +154,21 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
   Candidate list[W * 20];
   int count = 0;
   for (int i = 0; i < used; ++i) {
-    const Spectrum all = spectrum(eigenvalues[i], re[i], im[i], lane(poses.chart_c, i), lane(poses.chart_s, i));
+    const double chart = __builtin_atan2(lane(poses.chart_s, i), lane(poses.chart_c, i));
     const double size = lane(poses.largest, i);
     double around[kRound];
     for (int k = 0; k < kRound; ++k) around[k] = lane(poses.around[k], i);
     // a determinant that has lost its own digits is no measure
     const bool astray =
-        size > kGeneralTrusted * v.typical && !(strayed(all.count, re[i], im[i], around) < kGeneralStrayed);
-    report[i] = {0, 0, 0, 0, all.count < S || !(size > kGeneralVanishing * v.typical), astray, 0, size};
-    for (int k = 0; k < all.count; ++k) {
-      const double im = all.imaginary[k];
-      if (im == 0) ++report[i].real;
-      else if (!(__builtin_fabs(im) < kGeneralNearlyReal)) continue;
+        size > kGeneralTrusted * v.typical && !(strayed(eigenvalues[i], re[i], im[i], around) < kGeneralStrayed);
+    report[i] = {0, 0, 0, 0, eigenvalues[i] < S || !(size > kGeneralVanishing * v.typical), astray, 0, size};
+    const int first = count;
+    for (int k = 0; k < eigenvalues[i]; ++k) {
+      const double a = re[i][k], b = im[i][k], imaginary = imaginary_part(a, b);
+      if (imaginary == 0) ++report[i].real;
+      else if (!(__builtin_fabs(imaginary) < kGeneralNearlyReal)) continue;
       else ++report[i].nearly;
-      list[count++] = {i, all.angle[k] + im, im, -1};
+      list[count++] = {i, first, chart + real_part(a, b) + imaginary, imaginary, -1};
     }
   }
   try_candidates(model, v, poses, list, count, 0, 25, found);
@@ -177,8 +178,8 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
     int index[W * 20], n = 0;
     for (int k = 0; k < count; ++k) {
       bool again = list[k].solution < 0 && __builtin_fabs(list[k].partner) < kGeneralTryAgain;
-      for (int j = 0; j < k && !again; ++j)
-        again = list[j].pose == list[k].pose && list[k].solution >= 0 && list[j].solution == list[k].solution;
+      for (int j = list[k].first; j < k && !again; ++j)
+        again = list[k].solution >= 0 && list[j].solution == list[k].solution;
       if (!again) continue;
       index[n] = k;
       open[n++] = list[k];
@@ -192,8 +193,8 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
   for (int k = 0; k < count; ++k) {
     if (list[k].partner != 0) continue;
     bool own = list[k].solution >= 0;
-    for (int j = 0; j < count && own; ++j)
-      if (j != k && list[j].pose == list[k].pose && list[j].partner == 0 && list[j].solution == list[k].solution) {
+    for (int j = list[k].first; j < count && list[j].pose == list[k].pose && own; ++j)
+      if (j != k && list[j].partner == 0 && list[j].solution == list[k].solution) {
         const double d = angle_apart(list[j].angle, list[k].angle);
         Found& all = found[list[k].pose];
         // a double root; roots that coincide where the posture is far from singular belong to two solutions, one of them not found

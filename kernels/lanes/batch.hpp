@@ -37,7 +37,8 @@ template <class F> PIEPER_INLINE RigidT<F> load_poses(const double* T) {
   }
 }
 
-// Lane from[i] of `in` becomes lane i of `to`; both are made of nothing but numbers of type F and G.
+// Lane from[i] of `in` becomes lane i of `to`; both are made of nothing but numbers of type F and G. The lanes of a narrower F are all
+// the same.
 template <class G, class F, class To, class From>
 PIEPER_INLINE void pick_lanes(To& to, const From& in, const LanePicker<width_of<G>>& pick) {
   constexpr unsigned all = sizeof(To), one = sizeof(G), given = sizeof(From), each = sizeof(F);
@@ -46,7 +47,7 @@ PIEPER_INLINE void pick_lanes(To& to, const From& in, const LanePicker<width_of<
   const F* of = reinterpret_cast<const F*>(&in);
 #pragma GCC unroll 4
   for (unsigned k = 0; k < all / one; ++k) {
-    if constexpr (width_of<F> == 1) into[k] = G(of[k]);
+    if constexpr (width_of<F> < width_of<G>) into[k] = G(lane(of[k], 0));
     else into[k] = pick(of[k]);
   }
 }

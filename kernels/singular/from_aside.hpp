@@ -168,11 +168,11 @@ class FromAside {
            along_any(curves, one);
   }
 
-  // Whether what a row misses beyond rounding is what a more exact one on the same curve misses on the way to it.
-  bool strays_from(const Known& one, const Known& other, const std::vector<NearCurve>& curves) const {
+  // Whether what a row misses beyond rounding is what a more exact one on its curve misses on the way; double roots' ways miss more.
+  bool strays_from(const Rigid& T, const Known& one, const Known& other, const std::vector<NearCurve>& curves) const {
     if (!one.singular || !other.singular || one.fold || other.fold || one.miss <= kMergedRounding) return false;
     return other.miss < one.miss / 2 && arm_.apart(one.q, other.q) * other.sigma < 2 * one.miss &&
-           along_any(curves, one, &other);
+           along_any(curves, one, &other) && most_between(arm_, T, one.q, other.q).missed < 2 * one.miss;
   }
 
   // Follows the curve through a row that nearly holds the pose, and adds what hides on it, or the curve as a
@@ -283,9 +283,9 @@ class FromAside {
       out.several = !(d.s[4] > kOneWayFree * d.s[0]) && !stands_alone(at, d);
       if (root.branches == 1) return out;
       std::copy(root.q, root.q + kSix, out.q);
-      at = Standing(arm_, out.q);
-      d = SingularSix(at.J);
+      at = Standing(arm_, out.q), d = SingularSix(at.J);
       seen(at, d, out);
+      out.miss = missed_at(arm_, out.q, T);  // at the root, not where Newton's method ended beside it
     }
     out.several = !(d.s[4] > kOneWayFree * d.s[0]) && !stands_alone(at, d);
     return out;
@@ -329,7 +329,7 @@ class FromAside {
     std::vector<const Known*> isolated, left;
     for (const Known& one : known) {
       bool strays = on_motion(one, out) || nearly_holds(T, one, curves);
-      for (const Known& other : known) strays = strays || strays_from(one, other, curves);
+      for (const Known& other : known) strays = strays || strays_from(T, one, other, curves);
       if (!strays) left.push_back(&one);
     }
     for (const Known* which : left) {

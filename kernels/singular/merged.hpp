@@ -64,6 +64,22 @@ inline int branches_at(const SixJoints& arm, const Rigid& T, double* q) {
   return root.branches;
 }
 
+// What is missed most between two solutions on one curve, how far the curve leaves their chord, and by what it is no curve.
+struct Between {
+  double strayed, missed, rest;
+};
+inline Between most_between(const SixJoints& arm, const Rigid& T, const double* a, const double* b) {
+  Between most{};
+  for (int m = 1; m < 4; ++m) {
+    double chord[6];
+    for (int i = 0; i < kSix; ++i) chord[i] = b[i] + 0.25 * m * arm.way(a, b, i);
+    const OnCurve between(arm, T, chord, 3);
+    for (int i = 0; i < kSix; ++i) most.strayed = std::fmax(most.strayed, std::fabs(between.q[i] - chord[i]));
+    most.missed = std::fmax(most.missed, std::fabs(between.miss)), most.rest = std::fmax(most.rest, between.rest);
+  }
+  return most;
+}
+
 // One of each cluster of singular solutions that forward kinematics cannot tell apart, the most exact first.
 //
 // Two are one when everything between them holds the pose to rounding as well: the blur of a double root is about 1e-8 wide, that
@@ -91,15 +107,8 @@ inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Roo
       same = apart < kMergedSame;
       if (!same && apart < (row.side == other.side ? kMergedBlur : kMergedTwins)) {
         // a chord leaves a bent curve: what lies between is moved onto it
-        double strayed = 0, missed = 0, rest = 0;
-        for (int m = 1; m < 4; ++m) {
-          double chord[6];
-          for (int i = 0; i < kSix; ++i) chord[i] = other.root.q[i] + 0.25 * m * arm.way(row.root.q, other.root.q, i);
-          const OnCurve between(arm, T, chord, 3);
-          for (int i = 0; i < kSix; ++i) strayed = std::fmax(strayed, std::fabs(between.q[i] - chord[i]));
-          missed = std::fmax(missed, std::fabs(between.miss)), rest = std::fmax(rest, between.rest);
-        }
-        same = strayed < apart / 4 && missed <= kMergedAlong && rest <= kMergedRounding * size;
+        const Between most = most_between(arm, T, row.root.q, other.root.q);
+        same = most.strayed < apart / 4 && most.missed <= kMergedAlong && most.rest <= kMergedRounding * size;
       }
       if (same) break;
     }

@@ -62,6 +62,59 @@ def test_a_wrong_reading_is_named(name, words):
             arm.calibrate(q, Y, sigma=NOISE)
 
 
+SLIDING = ["adept-cobra-600", "stanford-arm", "rrp-wrist", "epson-g6-651s"]
+
+
+def as_controllers_say(arm, q, T, degrees, slides, millimetres):
+    """Return joints and poses with angles in degrees, slides in mm and places in mm, each where that is asked."""
+    turned = np.degrees(q) if degrees else q
+    return np.where(arm.chain.prismatic, q * (1e3 if slides else 1), turned), scaled(T) if millimetres else T
+
+
+@pytest.mark.parametrize("units", [u for u in np.ndindex(2, 2, 2) if any(u)])
+@pytest.mark.parametrize("name", SLIDING)
+def test_every_mixture_of_units_is_named_and_its_cure_works(name, units):
+    arm, rng = pieper.load(name), np.random.default_rng(9)
+    q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (60, arm.n))
+    T = arm.fk(q)
+    told, Y = as_controllers_say(arm, q, T, *units)
+    d, s, m = units
+    words = ["the joint angles are in degrees"] * d
+    lengths = " and ".join(["the slides"] * s + ["what was measured"] * m)
+    words += [f"{lengths} {'are' if s else 'is'} in millimetres"] * bool(lengths)
+    far = np.linalg.norm(Y[:, :3, 3] - np.array([0.3, 0.1, 0.05]) * (1e3 if m else 1), axis=1)
+    for kind, data in (("pose", Y), ("position", Y[:, :3, 3]), ("distance", far)):
+        with pytest.raises(pieper.InputError, match=" and ".join(words)) as refused:
+            arm.calibrate(told, data, kind=kind)
+        assert refused.value.left < 1e-9
+        assert ("in degrees" in str(refused.value)) == d and ("in millimetres" in str(refused.value)) == (s or m)
+
+
+@pytest.mark.parametrize("name", ["adept-cobra-600", "denso-vp6242"])
+def test_units_and_a_frame_are_named_at_once_and_cure(name):
+    arm, rng = pieper.load(name), np.random.default_rng(4)
+    q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (60, arm.n))
+    T = FRAME @ arm.fk(q)
+    told, Y = as_controllers_say(arm, q, T, True, True, True)
+    with pytest.raises(pieper.InputError, match=r"in degrees and .* in millimetres, and .* another frame") as refused:
+        arm.calibrate(told, Y, sigma=NOISE)
+    fit = arm.with_base(refused.value.frame @ arm.base).calibrate(q, T, sigma=NOISE)
+    assert fit.held_out.nominal_metres < 1e-9
+
+
+@pytest.mark.parametrize("name", SLIDING)
+def test_no_cure_is_given_that_leaves_more_than_an_arm_can_miss(name):
+    arm, rng = pieper.load(name), np.random.default_rng(4)
+    q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (60, arm.n))
+    p = arm.fk(q)[:, :3, 3]
+    # slides in inches, places in micrometres: units that are not tried
+    told = np.where(arm.chain.prismatic, q / 0.0254, np.degrees(q))
+    for data in (p * 1e6, p * 1e3 / 25.4):
+        with pytest.raises(pieper.InputError) as refused:
+            arm.calibrate(told, data, kind="position")
+        assert "left" not in refused.value.data or refused.value.left < arm.chain.length
+
+
 @pytest.mark.parametrize("joint", range(6))
 def test_the_joint_whose_sense_is_wrong_is_named(joint):
     arm, q, Y, _ = case("universal-robots-ur5e")
@@ -179,6 +232,17 @@ def test_single_numbers_are_read_right_too(name, kind):
             warnings.simplefilter("ignore", pieper.PieperWarning)
             with pytest.raises(pieper.InputError, match=words):
                 arm.calibrate(a, b, kind=kind, sigma=NOISE)
+
+
+@pytest.mark.parametrize(("name", "joint"), [("denso-vp6242", 0), ("adept-cobra-600", 1)])
+def test_senses_that_distances_do_not_tell_apart_are_both_named(name, joint):
+    arm, rng = pieper.load(name), np.random.default_rng(3)
+    q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (90, arm.n))
+    far = np.linalg.norm(arm.fk(q)[:, :3, 3] - [0.3, 0.4, 0.1], axis=1)
+    q[:, joint] *= -1
+    with pytest.raises(pieper.InputError, match="does not show which") as refused:
+        arm.calibrate(q, far, kind="distance")
+    assert arm.joint_names[joint] in refused.value.data["alike"] and len(refused.value.data["alike"]) > 1
 
 
 def test_heights_that_are_noise_alone_are_a_plane_that_was_touched():

@@ -28,6 +28,22 @@ def table(place: Path, head: list[str], rows: np.ndarray) -> str:
     return str(place)
 
 
+def test_a_table_without_orientations_is_not_calibrated_as_poses(tmp_path, capsys):
+    arm, q, Y = planted_denso()
+    head = [f"{name}_deg" for name in arm.joint_names] + ["x_mm", "y_mm", "z_mm", "comment"]
+    rows = np.column_stack([np.degrees(q), 1e3 * Y[:, :3, 3], np.zeros(len(q))])
+    file = table(tmp_path / "places.csv", head, rows)
+    assert main(["calibrate", "denso-vp6242", file]) == 2
+    assert "no orientation: say --kind position" in capsys.readouterr().err
+    assert main(["calibrate", "denso-vp6242", file, "--kind", "position"]) == 0
+    said = capsys.readouterr()
+    assert "not used of" in said.err and said.err.rstrip().endswith("comment.") and "mrad" not in said.out
+    heights = [*head[:6], "height_mm"]
+    file = table(tmp_path / "heights.csv", heights, rows[:, :7])
+    assert main(["calibrate", "denso-vp6242", file]) == 2
+    assert "say --kind plane" in capsys.readouterr().err
+
+
 def planted_denso(seed=3):
     arm, rng = pieper.load("denso-vp6242"), np.random.default_rng(seed)
     q = postures(arm, rng, 60)

@@ -92,6 +92,52 @@ def test_a_pose_that_a_short_arm_cannot_hold_has_no_rows(kind, tmp_path):
     assert [len(solver.ik(T)) for T in turned] == [len(arm.ik(T)) for T in turned]
 
 
+def sliding_beside_a_plane(twists):
+    """Return three parallel joints, then a turn, a slide and a turn."""
+    rows = [pieper.DH(0.4, 0, 0.1, 0), pieper.DH(0.35, 0, 0, 0), pieper.DH(0.1, twists[0], 0.05, 0)]
+    rows += [pieper.DH(0.07, twists[1], 0.1, 0.3), pieper.DH(0.05, twists[2], 0.2, 0.2), pieper.DH(0, 0, 0.1, 0)]
+    return pieper.Arm.from_dh(rows, convention="standard", joint_types="RRRRPR")
+
+
+CLEAR = {
+    "viperx from its tool": lambda: pieper.load("interbotix-viperx-300").reversed(),
+    "pincherx from its tool": lambda: pieper.load("interbotix-pincherx-150").reversed(),
+    "a slide beside a plane, square": lambda: sliding_beside_a_plane([np.pi / 2] * 3),
+    "a slide beside a plane": lambda: sliding_beside_a_plane([0.9, -0.5, 1.2]),
+}
+
+
+@pytest.mark.parametrize("kind", CLEAR)
+def test_poses_that_are_not_singular_are_clear(kind, tmp_path):
+    """A slide in the middle of the three joints beside a plane left every pose unclear, and solved with care."""
+    arm = CLEAR[kind]()
+    q = np.random.default_rng(0).uniform(-1, 1, (300, arm.n))
+    T = arm.fk(q)
+    rows, valid, unclear = loaded(arm.code("python", tmp_path / "arm.py")).ik_all(T)
+    assert unclear.sum() <= 3
+    gap = np.abs(rows - q[:, None])
+    turns = ~arm.chain.prismatic
+    gap[..., turns] = np.abs((gap[..., turns] + np.pi) % (2 * np.pi) - np.pi)
+    assert ((gap.max(-1) < 1e-7) & valid).any(1).all()
+    assert np.abs(arm.fk(rows[valid]) - np.repeat(T, valid.sum(1), 0)).max() < 1e-9
+    if arm.n == 6:  # from the tool the same arm is another closed form's
+        seen_from_tool = arm.reversed()
+        assert [len(seen_from_tool.ik(np.linalg.inv(t)).all_q) for t in T[:40]] == valid.sum(1)[:40].tolist()
+
+
+LIMITS = [(4, np.inf), (3.2, np.inf), (-np.inf, -4), (-np.inf, -3), (2, np.inf), (-1e5, -4), (300, 301)]
+
+
+@pytest.mark.parametrize("limits", LIMITS)
+@pytest.mark.filterwarnings("ignore:limits of joint_6")
+def test_limits_far_from_zero_or_on_one_side_are_written(limits, tmp_path, recwarn):
+    arm = pieper.load("abb-irb2400").with_limits({"joint_6": limits})
+    recwarn.clear()
+    module = loaded(arm.code("python", tmp_path / "arm.py"))
+    assert not recwarn.list and module.self_test() == 0 and len(module._Q) == 20
+    assert ((module._Q[:, 5] >= limits[0] - 1e-9) & (module._Q[:, 5] <= limits[1] + 1e-9)).all()
+
+
 @needs_gcc
 @pytest.mark.parametrize("kind", ARMS)
 def test_c_takes_and_gives_the_joints_own_numbers(kind, tmp_path):

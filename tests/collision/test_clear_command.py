@@ -43,7 +43,7 @@ def test_a_file_of_joints_is_a_path(tmp_path, capsys):
     assert code == 0 and "Of its 2 points" in said.out
     (tmp_path / "q.csv").write_text("0,90,-180,0,0\n")
     code, said = run(capsys, "clear", "denso-vp6242", "--path", str(tmp_path / "q.csv"))
-    assert code == 2 and "point 1" in said.err
+    assert code == 2 and "line 1" in said.err
     code, said = run(capsys, "clear", "denso-vp6242")
     assert code == 2 and "--from" in said.err
 

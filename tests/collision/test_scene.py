@@ -77,11 +77,14 @@ def test_a_robot_file_keeps_its_bodies(tmp_path):
 @pytest.mark.parametrize(
     ("text", "word"),
     [
-        ('on = "joint_2"\nsize_mm = [1, 2, 0]', "sides of a box"),
+        ('on = "joint_2"\nsize_mm = [1, 2, 0]', "size_mm: must be more than zero, mm, got 0"),
         ('on = "joint_7"\nsize_mm = [1, 2, 3]', "no joint of this arm"),
         ('on = "joint_2"', "nothing says what it is"),
         ('on = "joint_2"\nfrom_mm = [0, 0, 0]\nto_mm = [0, 0, 1]', "radius"),
-        ('on = "joint_2"\nfrom_mm = [0, 0, 0]\nto_mm = [0, 0, 1]\nradius_mm = -3', "radius of a capsule"),
+        (
+            'on = "joint_2"\nfrom_mm = [0, 0, 0]\nto_mm = [0, 0, 1]\nradius_mm = -3',
+            "must be more than zero, mm, got -3",
+        ),
         ('on = "joint_2"\nsize_mm = [1, 2, 3]\nheight_mm = 3', "both a box and a cylinder"),
         ('on = "tool"\npoints_mm = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]', "one plane"),
         ('on = "tool"\nsize_mm = [1, 2, 3]\nradius_mm = 3', "unknown"),
@@ -238,3 +241,10 @@ def test_a_block_about_the_place_where_the_arm_stands_is_remarked_and_a_floor_is
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         arm.distance(q, pieper.Scene([pieper.Box([0, 0, 0], [2, 2, 0.02], name="floor")]))
+
+
+def test_a_body_of_a_scene_stands_on_nothing(tmp_path):
+    file = tmp_path / "cell.toml"
+    file.write_text('[[bodies]]\non = "joint_9"\nsize_mm = [10, 10, 10]\n')
+    with pytest.raises(InputError, match="line 2.*bodies of a scene stand still"):
+        pieper.Scene.load(file)

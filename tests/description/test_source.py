@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -56,6 +57,18 @@ def test_an_xml_of_another_kind_is_refused_by_its_first_element(tmp_path):
     (tmp_path / "b.xml").write_text("<svg/>")
     with pytest.raises(InputError, match="first element is <svg>.*<robot>.*<mujoco>"):
         pieper.load(tmp_path / "b.xml")
+
+
+def test_an_arm_loaded_at_a_named_place_keeps_the_places_where_they_are(tmp_path):
+    frames = {"table": pieper.pose(0.5, 0, -0.1, rpy=(0, 0, 1.5)), "shelf": pieper.pose(0, 0.7, 0.3, rpy=(0.2, 0, 0))}
+    said = replace(pieper.load("denso-vp6242").description, frames=frames)
+    pieper.Arm(said).save(tmp_path / "one.toml")
+    q = np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
+    pieper.load(tmp_path / "one.toml", base="table").save(tmp_path / "two.toml")
+    for name in frames:
+        first, then = (pieper.load(tmp_path / file, base=name) for file in ("one.toml", "two.toml"))
+        assert np.abs(first.fk(q) - then.fk(q)).max() < 1e-12
+    assert np.array_equal(pieper.load(tmp_path / "two.toml").description.frames["table"], np.eye(4))
 
 
 @pytest.mark.parametrize("ending", ["toml", "urdf", "xml", "xacro", "sdf"])

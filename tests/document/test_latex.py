@@ -11,8 +11,8 @@ import pytest
 from pieper.document.blocks import Document
 from pieper.document.latex import latex_text, source
 
-PATH = "joint origins, axes and limits of IFL-CAMP/iiwa_stack at 44f9d13c1b, iiwa_description/urdf/iiwa7_of_some.urdf.xacro"
-NAMES = "Self-motions 1, 2, 3, 4, 5, 6, 7, 8: iiwa_joint_1, iiwa_joint_2, iiwa_joint_3, iiwa_joint_5, iiwa_joint_6, and so on"
+PATH = "joint origins, axes and limits of some-maker/arm_stack at 44f9d13c1b, arm_description/urdf/arm_of_it.urdf.xacro"
+NAMES = "Self-motions 1 to 8: iiwa_joint_1, iiwa_joint_2, iiwa_joint_3, iiwa_joint_5, iiwa_joint_6, iiwa_joint_7"
 
 
 def test_a_path_may_end_a_line_and_a_name_stays_whole():

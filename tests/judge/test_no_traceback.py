@@ -148,6 +148,12 @@ def test_a_bad_table_is_refused_by_row_and_column(rows, words):
         assert word in str(caught.value)
 
 
+@pytest.mark.parametrize("last", ["atan2(0,0) 50", "pi/2", "80"])
+def test_a_solution_with_a_formula_for_a_wrong_angle_is_judged(last):
+    text = f"{ARM}[[claim]]\nkind = 'solutions'\nq_deg = [30, 40]\nsolutions_deg = [['30', '{last}']]\n"
+    assert [verdict.status for verdict in check(text).verdicts] == ["wrong"]
+
+
 @pytest.mark.parametrize(
     "body",
     [
@@ -217,4 +223,4 @@ id = "two"
     assert given in whole
     with pytest.raises(InputError, match=f"^claims, line {line}: ") as caught:
         check(whole.replace(given, spoilt, 1))
-    assert words in str(caught.value) and caught.value.line == line
+    assert words in str(caught.value) and caught.value.data["line"] == line

@@ -99,6 +99,17 @@ def test_what_says_no_pose_is_refused(said, message):
         pieper.pose(**said)
 
 
+@pytest.mark.parametrize("off", [0.3, 0.1, 0.05, 1e-3, 1e-5, 1e-7, 2e-7, 1e-8, 1e-12, 0.0])
+def test_a_rotation_vector_beside_half_a_turn_comes_back(off):
+    rng = np.random.default_rng(0)
+    axes = np.vstack([np.eye(3), [0.6, 0.8, 0], [0, -0.6, 0.8], rng.normal(size=(200, 3))])
+    for axis in axes / np.linalg.norm(axes, axis=1, keepdims=True):
+        v = (np.pi - off) * axis
+        back = np.array(pieper.read_pose(pieper.pose(rotvec=v), "ur")[3:])
+        # at half a turn itself either sense is right
+        assert min(np.abs(back - v).max(), np.abs(back + v).max() if off < 1e-9 else 9.0) < 5e-15
+
+
 def test_an_unknown_notation_is_answered_with_the_known_ones():
     with pytest.raises(InputError, match="notation must be 'rpy', 'zyz', .*got 'euler'"):
         pieper.read_pose(np.eye(4), "euler")

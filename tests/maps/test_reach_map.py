@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import json
+import os
 import re
+import subprocess
+import sys
+import time
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 
@@ -206,6 +210,55 @@ def test_impossible_maps_are_refused(said, words):
     asked = {"box": BOX, "step": 0.25, "orientations": (6, 4)} | said
     with pytest.raises(pieper.InputError, match=words):
         pieper.load("denso-vp6242").reach_map(**asked)
+
+
+@pytest.mark.parametrize(
+    ("step", "orientations", "words"),
+    [
+        (0.1, (10**7, 16), "11.5 GB: give fewer"),
+        (0.1, (10**6, 10**6), "72,000 GB: give fewer"),
+        (1e-12, (128, 16), "7e[+]35 voxels with 2048 orientations each, 1.85e[+]29 GB"),
+        (5e-4, (128, 16), "5,600,000,000 voxels with 2048 orientations each, 1,478 GB: give a store="),
+    ],
+)
+def test_what_is_too_much_is_refused_before_it_is_made(step, orientations, words, monkeypatch):
+    monkeypatch.setattr("pieper.maps.grid.orientations_of", lambda *counts: pytest.fail("they were made"))
+    with pytest.raises(pieper.InputError, match=words):
+        pieper.load("denso-vp6242").reach_map(((-0.5, 0.5), (-0.5, 0.5), (0, 0.7)), step, orientations)
+
+
+def test_sampled_orientations_of_a_palletizer_are_refused_and_its_own_are_asked():
+    arm, box = pieper.load("kuka-kr120-r3200-pa"), ((-3, 3), (-3, 3), (0, 2))
+    with pytest.raises(pieper.InputError, match="moves|guides its tool"):
+        arm.reach_map(box, 1.0, (16, 4))
+    found = arm.reach_map(box, 1.0, arm.fk(np.zeros(4))[None, :3, :3])
+    assert found.volume > 50 and "4 joints hold 4 of 6 numbers. " in found.explain()
+
+
+def test_a_page_that_says_of_no_map_is_refused(tmp_path):
+    (tmp_path / "map.json").write_text("[]")
+    with pytest.raises(pieper.InputError, match="cannot be used"):
+        pieper.load("denso-vp6242").reach_map(((0, 1), (0, 1), (0, 1)), 0.5, (4, 1), store=tmp_path)
+
+
+def test_degrees_of_a_base_are_cured_by_what_there_is():
+    with pytest.warns(pieper.PieperWarning, match=r"yaw has 90 rad.*: numpy.radians\(\.\.\.\) takes those"):
+        pieper.load("denso-vp6242").base_places(np.eye(4), [0], [0], [0], [0, 90])
+
+
+@pytest.mark.skipif(not hasattr(os, "kill") or sys.platform == "win32", reason="signals of POSIX")
+def test_workers_end_with_the_command_that_was_killed(tmp_path):
+    words = "map ur5e --symmetry none --step 25 --workers 2".split()
+    driver = subprocess.Popen(
+        [sys.executable, "-m", "pieper", *words, "--box", "-900 900 -900 900 -600 1000", "--out", tmp_path / "kept"],
+        stdout=subprocess.PIPE,
+    )
+    until = time.monotonic() + 120
+    while not list(tmp_path.glob("kept/tile_*.sha256")) and time.monotonic() < until:
+        time.sleep(0.1)
+    driver.kill()
+    # whoever holds the pipe open is alive: this returns when the last worker is gone
+    assert driver.communicate(timeout=60)[0] == b""
 
 
 def test_slices_and_voxels_say_the_same():

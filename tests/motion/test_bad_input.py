@@ -77,12 +77,20 @@ TIMES = [
     ("a repeated point", lambda: pieper.time_law([HOME, HOME, T[0, 0] + HOME], LIMITS), "no length .* Leave one"),
     ("no acceleration", lambda: pieper.Limits(speed=2.0), "acceleration is missing"),
     ("a joint without a limit", lambda: pieper.Limits([1, 1, None, 1, 1, 1], 8.0), "speed of joint 3 is missing"),
-    ("a limit of zero", lambda: pieper.Limits([1, 1, 0, 1, 1, 1], 8.0), "speed of joint 3 .* got 0; .* locked"),
+    (
+        "a limit of zero",
+        lambda: pieper.Limits([1, 1, 0, 1, 1, 1], 8.0),
+        "speed of joint 3 .* got 0; a joint that is to stand still",
+    ),
     ("no end of a limit", lambda: pieper.Limits(1.0, [1, np.inf, 1, 1, 1, 1]), "acceleration of joint 2 .* got inf"),
-    ("a limit that is NaN", lambda: pieper.Limits([1, 1, 1, np.nan, 1, 1], 8.0), "speed of joint 4"),
+    (
+        "a limit that is NaN",
+        lambda: pieper.Limits([1, 1, 1, np.nan, 1, 1], 8.0),
+        "speed of joint 4 .* got nan; say how much",
+    ),
     ("limits of five joints", lambda: law(arm=ARM) and pieper.Limits([1.0] * 5, 8.0).of(6), "joint 6 has none"),
     ("a jerk alone", lambda: pieper.Limits(speed=1.0, jerk=10.0), "jerk .* without an acceleration"),
-    ("a jerk of zero", lambda: pieper.Limits(1.0, 1.0, 0.0), "jerk must be"),
+    ("a jerk of zero", lambda: pieper.Limits(1.0, 1.0, 0.0), "jerk must be .* leave it out"),
     ("a tool's speed of zero", lambda: pieper.Limits(1.0, 1.0, tool_speed=0.0), "tool_speed"),
     (
         "constant speed round a corner",
@@ -116,7 +124,7 @@ BODIES = [
     ("a cylinder of no height", lambda: pieper.Cylinder(T, 0.1, 0.0), "height of a cylinder"),
     ("a box inside out", lambda: pieper.Box(T, [1, -1, 1]), "sides of a box"),
     ("an empty hull", lambda: pieper.Convex([]), "got none"),
-    ("a hull of three points", lambda: pieper.Convex(np.eye(3)), "at least four points, got 3"),
+    ("a hull of three points", lambda: pieper.Convex(np.eye(3)), "at least four points, got 3. Give a Box"),
     ("a flat hull", lambda: pieper.Convex([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]), "in one plane: .* Give a Box"),
     ("a hull's negative layer", lambda: pieper.Convex(np.vstack([np.eye(3), -np.eye(3)]), -0.1), "layer"),
     (

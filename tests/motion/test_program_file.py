@@ -63,7 +63,10 @@ def test_a_program_comes_back_from_its_file(tmp_path):
         ("{L}[[step]]\nmove_l = [9350, 0, 400, 0, 0, 0]", "step 1: move 1 cannot be followed"),
         ("{L}[[step]]\nmove_c = [350, 0, 300, 0, 0, 0]", "needs via"),
         ('{L}[[step]]\nmove_s = "x"', "a list of poses"),
-        ('{L}[[step]]\nmove_l = [350, 50, 400, 0, 0, 0]\nspeed = "fast"', "speed must be a number"),
+        (
+            '{L}[[step]]\nmove_l = [350, 50, 400, 0, 0, 0]\nspeed = "fast"',
+            "speed must be a finite number above 0, mm/s",
+        ),
         ("{L}[[step]]\noutput = 3", "output is"),
         ("{L}[[step]]\nwait = -1", "step 1: wait must be"),
     ],

@@ -9,7 +9,7 @@ import pytest
 
 import pieper
 from oracle.joints import turns_apart
-from pieper.solver.singular.self_motion import said
+from pieper.solver.singular.relation import said
 
 #: An arm, a posture whose pose has self-motions, and the limits of every joint in half turns.
 CASES = {

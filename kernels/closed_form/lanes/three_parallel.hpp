@@ -76,9 +76,13 @@ struct ThreeParallelLanes {
       const F whole_c = 0.5 * (around.x.x + around.y.y), whole_s = 0.5 * (around.y.x - around.x.y);
       const F tx = -dot(around.x, around.t), ty = -dot(around.y, around.t), tz = dot(around.z, around.t);
       const F lean = max(max(abs(around.z.x), abs(around.z.y)), abs(tz));
-      out.unclear = out.unclear | (s.found[i] & !((lean <= 0.5 * kClosedVerified) & (around.z.z > 0.0)));
+      Mask<F> wanted = s.found[i];
+      // beside a sliding middle joint each of the two equations holds one joint alone: two of the four pairs take the normal to its mirror
+      // image, and are no solutions
+      if (slides[1]) wanted = wanted & !(max(max(abs(around.z.x), abs(around.z.y)), 1.0 - around.z.z) > kPlaneMirrored);
+      out.unclear = out.unclear | (wanted & !((lean <= 0.5 * kClosedVerified) & (around.z.z > 0.0)));
       F bent[2][3];
-      const Mask<F> exists = plane.solve(whole_c, whole_s, tx, ty, s.found[i], bent, out.unclear);
+      const Mask<F> exists = plane.solve(whole_c, whole_s, tx, ty, wanted, bent, out.unclear);
       const F angle_b = joint_value(b, slides[1]);
       for (int n = 0; n < 2; ++n) {
         F* q = out.q[2 * i + n];

@@ -129,8 +129,8 @@ def _refuse_strangers(found: Fitted, q: Array) -> None:
     if vary > 0 and missed > EXPLAINS_NOTHING * vary:
         raise InputError(
             f"even the fitted arm misses the data by {missed:.3g} m (median), where they vary by {vary:.3g} m: "
-            "joints and measurements do not belong together. Rows may be shuffled or out of step by "
-            "many, or it is another arm.",
+            "read so, joints and measurements do not belong together. Rows may be shuffled or out of step by "
+            "many, several things may be meant otherwise at once (units, senses, offsets), or it is another arm.",
             missed=missed,
             vary=vary,
         )

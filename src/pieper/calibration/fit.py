@@ -258,9 +258,9 @@ class Fit:
                         "all joints at zero."
                     )
         largest = np.argsort(-np.sqrt(np.diag(self.covariance)) / self.parameters.sizes)[:3]
+        units = ["" if unit == "1" else f" {unit}" for unit in self.parameters.units]
         sure = "; ".join(
-            f"{self.parameters.names[k]} to {np.sqrt(self.covariance[k, k]):.1e} {self.parameters.units[k]}"
-            for k in largest
+            f"{self.parameters.names[k]} to {np.sqrt(self.covariance[k, k]):.1e}{units[k]}" for k in largest
         )
         lines.append(f"Least sure among what was seen: {sure}.")
         return "\n".join(lines)

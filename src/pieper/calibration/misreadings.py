@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from pieper.calibration.frames import frame_and_tool, frame_between, tool_between
 from pieper.calibration.measurements import Measurements
 from pieper.calibration.model import AxesModel
+from pieper.calibration.reading import Reading
+from pieper.calibration.units import of_one_size, units_of
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
-from pieper.kinematics.joints import TURN
 from pieper.kinematics.pose import inverse
-from pieper.tolerances import MISREAD, SUSPICIOUS
+from pieper.tolerances import CURED, LEAST_NOISE, MISREAD, SUSPICIOUS
 
 #: Rows by which joints and measurements may be out of step.
 LAGS = (1, -1, 2, -2, 3, -3, 4, -4, 5, -5)
@@ -30,27 +31,6 @@ QUARTERS, SEVERAL = (90, -90, 180), 1.5
 TWO = 4.0
 #: Rows that are compared each with each when they may be shuffled.
 COMPARED = 400
-
-
-@dataclass(frozen=True, eq=False)
-class Reading:
-    """One way to read the data.
-
-    Args:
-        words: What would be wrong with them.
-        cure: What to do about it.
-        q: (N, n) joint vectors.
-        data: Measurements.
-        facts: Attributes of the error.
-        freedom: How much better it must be than others, having numbers of its own to fit.
-    """
-
-    words: str
-    cure: str
-    q: Array
-    data: Measurements
-    facts: dict[str, object]
-    freedom: float = 1.0
 
 
 def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tuple[str, ...], length: float) -> None:
@@ -71,11 +51,16 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
         return
     best, least_by = None, MISREAD * now
     for reading in _readings(model, q, data, names, length):
-        left = misfit(model, reading.q, reading.data, length)
+        # data without noise say no more than these: which of several is nearer is rounding then
+        left = max(misfit(model, reading.q, reading.data, length), LEAST_NOISE)
         # an arm that is itself off leaves that much in any reading
-        if left < max(SUSPICIOUS, MISREAD**2 * now) and left * reading.freedom < least_by:
+        if not (left < max(SUSPICIOUS, MISREAD**2 * now) and left * reading.freedom < least_by):
+            continue
+        most = SUSPICIOUS if "unit" in reading.facts else CURED
+        if left < most or (reading.units_alone and of_one_size(model.fk(reading.q), reading.data, left)):
             best, least_by = reading, left * reading.freedom
     if best is not None:
+        best = _or_another_joint(model, best, _readings(model, q, data, names, length), least_by, length)
         before, after = missed(model, q, data), missed(model, best.q, best.data)
         raise InputError(
             f"the data miss the nominal arm by {_said(before)} (median), and by {_said(after)} if "
@@ -84,6 +69,28 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
             left=after[0],
             **best.facts,
         )
+
+
+def _or_another_joint(
+    model: AxesModel, best: Reading, others: Iterator[Reading], left: float, length: float
+) -> Reading:
+    """Return the reading with all joints named whose sense explains the data as well: distances show no mirror."""
+    if best.data.kind not in ("distance", "plane") or not best.words.endswith("the other way"):
+        return best
+    alike = [
+        str(other.facts["joint"])
+        for other in others
+        if "joint" in other.facts
+        and other.words.endswith("the other way")
+        and misfit(model, other.q, other.data, length) < max(SEVERAL * left, SUSPICIOUS / 10)
+    ]
+    if len(alike) < 2:
+        return best
+    either = " or ".join(alike)
+    cure = "What was measured does not show which: see it at the arm, and give that joint's values with the other sign."
+    return replace(
+        best, words=f"{either} moves the other way", cure=cure, facts={"joint": best.facts["joint"], "alike": alike}
+    )
 
 
 def missed(model: AxesModel, q: Array, data: Measurements) -> tuple[float, float | None]:
@@ -109,25 +116,18 @@ def _readings(
     model: AxesModel, q: Array, data: Measurements, names: tuple[str, ...], length: float
 ) -> Iterator[Reading]:
     turning = ~model.prismatic
-    radians, metres = np.where(turning, np.radians(q), q), _shorter(data)
-    in_degrees = "Give radians: numpy.radians(q)."
-    in_metres = "Give metres: divide the measured lengths by 1000."
-    # numbers as small as radians and metres are would be shrunk to a point, which any arm explains
-    degrees = bool(turning.any()) and np.abs(q[:, turning]).max(initial=0.0) > TURN
-    lengths = data.values[:, :3, 3] if data.kind == "pose" else data.values
-    millimetres = np.abs(lengths).max(initial=0.0) > length
-    if degrees:
-        yield Reading("the joint angles are in degrees", in_degrees, radians, data, {"unit": "deg"})
-    if millimetres:
-        yield Reading("what was measured is in millimetres", in_metres, q, metres, {"unit": "mm"})
-    if degrees and millimetres:
-        both = "the joint angles are in degrees and what was measured is in millimetres"
-        yield Reading(both, f"{in_degrees} {in_metres}", radians, metres, {"unit": "deg, mm"})
-    if not turning.all():
-        slides = np.where(turning, q, q / 1000)
-        yield Reading(
-            "the slides are in millimetres", "Give metres: divide them by 1000.", slides, data, {"unit": "mm"}
-        )
+    for reading in units_of(model, q, data, length):
+        yield reading
+        if data.kind in ("pose", "position"):
+            for other in _readings_of_places(model, reading.q, reading.data):
+                yield replace(
+                    other,
+                    words=f"{reading.words}, and {other.words}",
+                    cure=f"{reading.cure} {other.cure}",
+                    facts=reading.facts | other.facts,
+                    freedom=2 * other.freedom,
+                    units_alone=False,
+                )
     for i, name in enumerate(names):
         other = q.copy()
         other[:, i] = -other[:, i]
@@ -173,14 +173,6 @@ def _readings(
             )
     if data.kind in ("pose", "position"):
         yield from _readings_of_places(model, q, data)
-
-
-def _shorter(data: Measurements) -> Measurements:
-    values = data.values / 1000
-    if data.kind == "pose":
-        values = data.values.copy()
-        values[:, :3, 3] /= 1000
-    return replace(data, values=values)
 
 
 def _readings_of_places(model: AxesModel, q: Array, data: Measurements) -> Iterator[Reading]:

@@ -13,6 +13,9 @@ from pieper.cli.output import say
 from pieper.cli.status import DONE
 from pieper.cli.timed import drawing
 
+#: Endings of a motion in time.
+MOTIONS = (".csv", ".yaml", ".yml")
+
 
 @click.command("animate", cls=TakesNumbers, short_help="Write a motion as a moving picture.")
 @takes_arm
@@ -29,8 +32,15 @@ def command(arm: pieper.Arm, file: str, out: str, rate: float, speed: float, siz
     """
     if Path(file).suffix.lower() == ".toml":
         motion = pieper.load_program(arm, file).motion(rate=max(4 * rate, 100.0))
-    else:
+    elif Path(file).suffix.lower() in MOTIONS:
         motion = pieper.read_motion(file, arm)
+    else:
+        raise pieper.InputError(
+            f"{file} is no program of pieper (.toml) and no motion in time ({', '.join(MOTIONS)}); for a controller's "
+            f"program: pieper program {arm.name} {file} --start JOINTS --speed NUMBERS --acceleration NUMBERS "
+            f"--animate {out}.",
+            path=file,
+        )
     width, height = _two(size, "--size")
     elevation, azimuth = _two(view, "--view")
     motion.animate(

@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 import pieper
 from pieper import InputError, PieperWarning
+from pieper.cli import pipes
 from pieper.cli.output import plural
 from pieper.cli.units import Units
 from pieper.tolerances import SUSPICIOUSLY_SMALL
@@ -143,6 +144,9 @@ def read_text(name: str, what: str) -> str:
             raise InputError(
                 f"{what}: {path} has {path.stat().st_size:,} bytes; at most {LARGEST_FILE:,} are read.", path=path
             )
+        if pipes.is_pipe(name):
+            with pipes.opened(name) as file:
+                return file.read(LARGEST_FILE).decode("utf-8-sig")
         return path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
         raise InputError(f"{what}: {path} is not a text file.", path=path) from None

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import sys
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import click
@@ -11,13 +12,14 @@ import numpy.typing as npt
 
 import pieper
 from pieper import InputError
+from pieper.cli import pipes
 from pieper.cli.arguments import number, read_text
 from pieper.cli.decimal_sign import DecimalSign
-from pieper.cli.number_table import cells_of, delimiter_of
+from pieper.cli.number_table import cells_of, delimiter_of, name_and_unit
 from pieper.cli.options import as_json, order, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import plural, say
-from pieper.cli.pose_file import PoseFile
+from pieper.cli.pose_file import POSITION, PoseFile
 from pieper.cli.status import DONE
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
@@ -76,11 +78,9 @@ def command(
     """
     table = _Data.of(data)
     q = _joints(arm, table, units)
-    if kind in COLUMN:
-        measured = _column(table, COLUMN[kind], LENGTHS, units.metres, required=kind == "distance")
-    else:
-        poses = np.concatenate(list(PoseFile(data, units, order).blocks()))
-        measured = poses if kind == "pose" else poses[:, :3, 3]
+    measured = _measured(table, kind, units, order)
+    if unused := [head for j, head in enumerate(table.heads) if j not in table.used]:
+        print(f"pieper: note: not used of {table.name}: {', '.join(unused)}.", file=sys.stderr)
     fit = arm.calibrate(
         q,
         measured,
@@ -126,10 +126,13 @@ class _Data:
     heads: list[str]
     lines: dict[int, list[str]]
     sign: DecimalSign | None
+    used: set[int] = field(default_factory=set[int])
 
     @staticmethod
     def of(name: str) -> _Data:
-        given = [raw.split("#")[0].strip() for raw in read_text(name, "DATA.csv").splitlines()]
+        text = read_text(name, "DATA.csv")
+        pipes.keep(name, text.encode())  # poses are read of it too
+        given = [raw.split("#")[0].strip() for raw in text.splitlines()]
         numbers = [at for at, line in enumerate(given, 1) if line]
         if len(numbers) < 2:
             raise InputError(f"{name} needs a line of column names and a line a pose.", path=name)
@@ -146,6 +149,26 @@ class _Data:
             return number(cells[column], what)
         self.sign.look(at, [cells[column]])
         return number(self.sign.with_points(cells[column]), what)
+
+
+def _measured(table: _Data, kind: str, units: Units, order: str) -> Numbers | None:
+    """Return what was measured, and remark columns that are not used."""
+    if kind in COLUMN:
+        return _column(table, COLUMN[kind], LENGTHS, units.metres, required=kind == "distance")
+    names = [name_and_unit(head)[0] for head in table.heads]
+    other = next((other for other, name in COLUMN.items() if name in names), None)
+    if other and not set(POSITION) <= set(names):
+        raise InputError(
+            f"{table.name} has the column {COLUMN[other]} and no position: say --kind {other}.", path=table.name
+        )
+    file = PoseFile(table.name, units, order)
+    poses = np.concatenate(list(file.blocks()))
+    if kind == "pose" and file.bare:
+        raise InputError(
+            f"{table.name} has positions and no orientation: say --kind position.", path=table.name, missing="rpy"
+        )
+    table.used.update(j for j, head in enumerate(table.heads) if head not in file.unused)
+    return poses if kind == "pose" else poses[:, :3, 3]
 
 
 def _joints(arm: pieper.Arm, table: _Data, units: Units) -> Numbers:
@@ -173,6 +196,7 @@ def _column(table: _Data, stem: str, sizes: dict[str, float], own: float, *, req
         unit = said.removeprefix(f"{stem.lower()}_")
         if said != stem.lower() and not (said.startswith(f"{stem.lower()}_") and unit in sizes):
             continue
+        table.used.add(j)
         return np.array([table.value(at, j) for at in table.lines]) * (own if said == stem.lower() else sizes[unit])
     if required:
         said = f"{table.name}: there is no column {stem}; it has {', '.join(table.heads)}."

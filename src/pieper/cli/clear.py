@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-from pathlib import Path
-
 import click
 import numpy as np
 import numpy.typing as npt
 
 import pieper
 from pieper.cli.arguments import joints
+from pieper.cli.joint_file import JointFile
 from pieper.cli.options import TakesNumbers, as_json, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import number, say
@@ -86,9 +84,14 @@ def command(
     say(found.explain())
     if len(arm.bodies) and any(apart.pair[at]):
         one, other = apart.pair[at]
-        metres = number(float(apart[at]) / units.metres, 3 if units.length == "mm" else 6)
-        which = f"Of its {len(path)} points, number {at + 1} is" if len(path) > 1 else "The posture is"
-        say(f"{which} {metres} {units.length} from touching, the nearest: {one} and {other}.")
+        metres = float(apart[at])
+        size = f"{number(abs(metres) / units.metres, 3 if units.length == 'mm' else 6)} {units.length}"
+        if metres < 0:
+            where = f"Of its {len(path)} points, number {at + 1} is the worst" if len(path) > 1 else "There"
+            say(f"{where}{':' if len(path) > 1 else ''} {one} and {other} overlap by {size}.")
+        else:
+            where = f"Of its {len(path)} points, number {at + 1} is" if len(path) > 1 else "The posture is"
+            say(f"{where} {size} from touching, the nearest: {one} and {other}.")
     if arm.bodies.guessed:
         say("The arm's bodies are guessed from its table: --bodies lists them.")
     for sentence in _outside(arm, path, units):
@@ -117,40 +120,6 @@ def _path(
     if bool(first) == bool(file):
         raise pieper.InputError('give the path as --from and --to, as --from home --to "60 90 0 0 0 0", or --path.')
     if file:
-        return _of_file(arm, file, units)
+        return np.concatenate(list(JointFile(file, units, arm=arm).blocks()))
     words = [("--from", first), *(("--via", v) for v in via), *([("--to", last)] if last else [])]
     return np.array([joints(arm, [text], units, what) for what, text in words])
-
-
-def _of_file(arm: pieper.Arm, file: str, units: Units) -> npt.NDArray[np.float64]:
-    """Return the joint vectors (N, n) of a CSV: columns named as `pieper path --csv` writes them, or one a joint."""
-    try:
-        rows = [row for row in csv.reader(Path(file).read_text(encoding="utf-8-sig").splitlines()) if row]
-    except (OSError, UnicodeDecodeError) as error:
-        raise pieper.InputError(
-            f"--path: cannot read {file}: {error.strerror if isinstance(error, OSError) else error}.", path=file
-        ) from None
-    if not rows:
-        raise pieper.InputError(f"--path: {file} holds no point.", path=file)
-    named = [f"{name}_{unit}" for name, unit in zip(arm.joint_names, units.names_of_joints(arm), strict=True)]
-    columns = list(range(arm.n))
-    if not _numeric(rows[0]):
-        missing = [name for name in named if name not in rows[0]]
-        if missing:
-            raise pieper.InputError(
-                f"--path: {file} has no column {missing[0]}; it has {', '.join(rows[0])}.", path=file, missing=missing
-            )
-        columns, rows = [rows[0].index(name) for name in named], rows[1:]
-    out = []
-    for at, row in enumerate(rows, 1):
-        if len(row) <= max(columns) or not _numeric([row[c] for c in columns]):
-            raise pieper.InputError(f"--path: {file}, point {at} is no {arm.n} numbers: {', '.join(row)}.", path=file)
-        out.append([float(row[c]) for c in columns])
-    return np.array(out).reshape(-1, arm.n) * units.of_joints(arm)
-
-
-def _numeric(cells: list[str]) -> bool:
-    try:
-        return bool(np.isfinite([float(cell) for cell in cells]).all())
-    except ValueError:
-        return False

@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 import pieper
+from pieper import InputError
 from pieper.cli.options import takes_arm
 from pieper.cli.status import DONE
 
@@ -24,6 +25,8 @@ def command(arm: pieper.Arm, language: str, out: str, name: str) -> int:
 
     Example: pieper code denso-vp6242 --to c --name denso
     """
+    if out == "-":
+        raise InputError("--out takes the name of a file, not the standard output.", given=out)
     stem = "".join(letter if letter.isalnum() else "_" for letter in arm.name)
     print(arm.code(language, out or f"{stem}.{ENDINGS[language]}", name))
     return DONE

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import re
@@ -29,6 +30,9 @@ EXTRAS = {
     "websockets": "workbench",
 }
 
+#: What an output says that takes no more.
+NO_ROOM = (errno.ENOSPC, errno.EFBIG, errno.EDQUOT)
+
 
 def guarded(app: Callable[..., Any], arguments: list[str] | None) -> int:
     """Run a click app and return the exit status.
@@ -41,6 +45,9 @@ def guarded(app: Callable[..., Any], arguments: list[str] | None) -> int:
         0 done, 1 no solution, 2 misuse, 130 interrupted, 128 and the signal's number where another ended it.
     """
     warnings.showwarning = _say_warning
+    if sys.stdout is None or sys.stderr is None:  # closed by who called: what would be said there is said to nobody
+        nobody = open(os.devnull, "w")
+        sys.stdout, sys.stderr = sys.stdout or nobody, sys.stderr or nobody
     if isinstance(sys.stdout, io.TextIOWrapper):
         # a terminal that knows no infinity sign still gets the numbers
         sys.stdout.reconfigure(errors="replace")
@@ -70,10 +77,19 @@ def guarded(app: Callable[..., Any], arguments: list[str] | None) -> int:
         cause = stop.__cause__ if isinstance(stop, click.Abort) else stop
         _say(str(cause or "") or "interrupted; nothing half written was left behind.")
         return cause.status if isinstance(cause, Stopped) else INTERRUPTED
-    except BrokenPipeError:
-        # the reader (head, less) has gone; keep the interpreter from complaining about it at exit
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except (BrokenPipeError, SystemExit):  # the reader (head, less) has gone; click leaves then
+        _say_no_more()
         return DONE
+    except OSError as error:
+        if error.errno not in NO_ROOM or error.filename is not None:
+            raise
+        _say_no_more()
+        return _misuse(f"cannot write: {error.strerror}. Free room there, or choose another.")
+
+
+def _say_no_more() -> None:
+    """Keep the interpreter from complaining at its end that what is left cannot be written."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _misuse(sentence: str) -> int:
@@ -82,6 +98,13 @@ def _misuse(sentence: str) -> int:
 
 
 #: What the library's sentences say of its arguments, and how a command is asked the same.
+_WORDS = {
+    "give a store=, a larger step": "give --out DIR, a larger --step",
+    "hold= what is known, or fit fewer joint_terms": "--hold what is known, or fit fewer --terms",
+}
+_DEGREES = re.compile(
+    r" holds [-+.e\d]+, taken as radians; more than \d+ rad looks like degrees\. Use np\.radians.*meant\."
+)
 _OPTIONS = re.compile(r"\b(base|tip|missing_limits)=('[^']*'|\"[^\"]*\")?")
 _MILLIMETRES = re.compile(r"metres are meant\. Were these millimetres\? pieper\.pose\(\.\.\., mm=True\) takes them\.")
 
@@ -93,7 +116,13 @@ def as_typed(sentence: str) -> str:
         name, value = f"--{found[1].replace('_', '-')}", (found[2] or "")[1:-1]
         return f"{name} {value if value.isidentifier() else shlex.quote(value)}" if value else name
 
+    sentence = _DEGREES.sub(
+        " makes many whole turns: are the numbers in the unit that --angle says (deg where it says nothing)?", sentence
+    )
+    for library, command in _WORDS.items():
+        sentence = sentence.replace(library, command)
     cure = "are the numbers in the unit that --length says (mm where it says nothing)?"
+    sentence = sentence.replace(", or say another with name=", "")
     return _OPTIONS.sub(option, _MILLIMETRES.sub(cure, sentence))
 
 

@@ -193,13 +193,15 @@ def rows_to(file: str, thing: str, question: dict[str, Any]) -> Iterator[Rows]:
     if not file:
         yield from _unkept(Rows(thing))
         return
-    path = Path(os.path.realpath(file) if Path(file).is_symlink() else file)
+    path = Path(file)
     if path.is_dir():
         raise InputError(f"{path} is a folder: give the name of a file in it.", path=path)
-    if path.exists() and not path.is_file():  # a device or a pipe cannot be given its name afterwards
+    # a device or a pipe cannot be given its name afterwards, and a link to a pipe leads to no name
+    if path.exists() and not path.is_file():
         with path.open("w", encoding="utf-8") as out:
             yield from _unkept(Rows(thing, out))
         return
+    path = Path(os.path.realpath(path)) if path.is_symlink() else path
     kept = KeptRows(thing, file=path, question=question)
     whole = False
     try:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
+import threading
 import time
 import warnings
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import ExitStack
 from importlib import import_module
+from multiprocessing import parent_process
 from pathlib import Path
 
 import click
@@ -34,6 +37,22 @@ class _Progress:
         left = (time.monotonic() - self.started) * (tiles - done) / max(done, 1)
         end = "\n" if done == tiles else ""
         print(f"\r{done} of {tiles} tiles, about {left:z.0f} s left   ", end=end, file=sys.stderr, flush=True)
+
+
+def end_with_parent() -> None:
+    """End this process when the one that began it is no more, however it ended: killed, it can tell nobody."""
+    threading.Thread(target=_watch_parent, daemon=True).start()
+
+
+def _watch_parent() -> None:
+    parent = parent_process()
+    if parent is None:
+        return
+    # workers that were forked hold each other's ends of the pipe that shows it: whose child this is shows it as well
+    while parent.is_alive() and os.getppid() == parent.pid:
+        parent.join(1.0)
+    # what can be caught is caught where this was forked, and waits for the main thread
+    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
 
 
 @click.command("map", cls=TakesNumbers, short_help="Fill a box with answers: what the arm reaches.")
@@ -83,14 +102,17 @@ def command(
     """
     corners = [value * units.metres for value in numbers([box], "--box", pairs=True)]
     counts = [int(word) for word in orientations.replace("x", " ").split() if word.isdigit()]
-    if len(corners) != 6 or len(counts) != 2 or workers < 0:
-        raise InputError(
-            f"--box takes six numbers (x0 x1 y0 y1 z0 z1), got {len(corners)}; --orientations two whole ones, got "
-            f"{orientations!r}; --workers none or more.",
-            given=(box, orientations),
-        )
+    if len(corners) != 6:
+        raise InputError(f"--box takes six numbers (x0 x1 y0 y1 z0 z1), got {len(corners)}.", given=box)
+    if len(counts) != 2:
+        raise InputError(f"--orientations takes two whole numbers, got {orientations!r}.", given=orientations)
+    if workers < 0:
+        raise InputError(f"--workers takes none (0) or more, got {workers}.", given=workers)
     widths = [high - low for low, high in zip(corners[::2], corners[1::2], strict=True)]
-    if min(widths) > 0 and not 0 < step * units.metres <= min(widths) * (1 + RELATIVE_ROUNDING):
+    if min(widths) <= 0:
+        said = "xyz"[widths.index(min(widths))]
+        raise InputError(f"--box: {said}0 must be less than {said}1 on every axis, got {box!r}.", given=box)
+    if not 0 < step * units.metres <= min(widths) * (1 + RELATIVE_ROUNDING):
         raise InputError(
             f"--step must be positive and at most the box's smallest side, {short(min(widths) / units.metres)} "
             f"{units.length}; got {short(step)} {units.length}.",
@@ -120,7 +142,8 @@ def command(
                 raise InputError(f"--scheduler: nothing answers at {scheduler}: {error}.", given=scheduler) from None
             executor = stack.enter_context(client.get_executor())
         elif workers:
-            executor = stack.enter_context(ProcessPoolExecutor(min(workers, os.cpu_count() or 1)))
+            count = min(workers, os.cpu_count() or 1)
+            executor = stack.enter_context(ProcessPoolExecutor(count, initializer=end_with_parent))
         progress = _Progress() if sys.stderr.isatty() and not json else None
         found = arm.reach_map(sides, step * units.metres, executor=executor, progress=progress, scene=around, **asked)
     if save:

@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pieper import InputError
+from pieper.cli import pipes
 from pieper.cli.arguments import number
 from pieper.cli.decimal_sign import DecimalSign
 from pieper.cli.output import plural
@@ -213,10 +214,8 @@ LOOKED_AT, PEEKED_AT = 20, 1 << 16
 
 def opened(name: str, thing: str) -> BinaryIO:
     """Return a file to read from, standard input for "-", or refuse it by name."""
-    if name == "-":
-        return sys.stdin.buffer
     try:
-        return Path(name).open("rb")
+        return pipes.opened(name)
     except OSError as error:
         raise InputError(f"{thing}: cannot read {name}: {error.strerror}.", path=name) from None
 
@@ -229,8 +228,10 @@ def first_lines(name: str, thing: str) -> list[str]:
         # the last one may go on
         raw = raw[:LOOKED_AT] if len(raw) < 2 or raw[-1].endswith(b"\n") else raw[:-1][:LOOKED_AT]
     else:
-        with opened(name, thing) as file:
-            raw = list(islice(file, LOOKED_AT))
+        try:
+            raw = pipes.looked_at(name, LOOKED_AT)
+        except OSError as error:
+            raise InputError(f"{thing}: cannot read {name}: {error.strerror}.", path=name) from None
     return [text_of(line, name, thing) for line in raw]
 
 

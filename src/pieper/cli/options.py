@@ -178,21 +178,20 @@ def takes_limits(command: Command) -> Command:
 
 
 def _limit(arm: pieper.Arm, units: Units, name: str, text: str) -> Any:
-    values = numbers([text], f"--{name.replace('_', '-')}")
-    if min(values, default=1.0) <= 0:
-        raise pieper.InputError(
-            f"--{name.replace('_', '-')} must be more than zero, got {min(values):g}; a joint that must not move is "
-            "locked.",
-            given=values,
-        )
+    option = f"--{name.replace('_', '-')}"
+    values = numbers([text], option)
+    if name in _LIMITS and len(values) not in (1, arm.n):
+        raise pieper.InputError(f"{option} takes one number or {arm.n}, one a joint, got {len(values)}.", given=values)
+    if name not in _LIMITS and len(values) != 1:
+        raise pieper.InputError(f"{option} takes one number, got {len(values)}.", given=values)
+    for j, value in enumerate(values):
+        if value <= 0:
+            which = f" of {arm.joint_names[j]}" if len(values) > 1 else ""
+            must = name in ("speed", "acceleration")
+            cure = "no joint is held still by its limits" if must else "leave it out for none"
+            raise pieper.InputError(f"{option}{which} must be more than zero, got {value:g}; {cure}.", given=values)
     if name in _LIMITS:
-        if len(values) not in (1, arm.n):
-            raise pieper.InputError(
-                f"--{name} takes one number or {arm.n}, one a joint, got {len(values)}.", given=values
-            )
         return np.broadcast_to(np.array(values), (arm.n,)) * units.of_joints(arm)
-    if len(values) != 1:
-        raise pieper.InputError(f"--{name.replace('_', '-')} takes one number, got {len(values)}.", given=values)
     return values[0] * (units.radians if name == "turn_speed" else units.metres)
 
 

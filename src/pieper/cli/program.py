@@ -114,4 +114,11 @@ def _read(arm: pieper.Arm, file: str, limits: pieper.Limits | None, start: str, 
         raise pieper.InputError(f"{file} holds no limits of the joints: say --speed and --acceleration.")
     if not targets:
         raise pieper.InputError(f"{file} holds no moves.", path=file)
-    return pieper.Program(arm, limits, start=joints(arm, [start], units, "--start")).take(targets)
+    program = pieper.Program(arm, limits, start=joints(arm, [start], units, "--start"))
+    try:
+        return program.take(targets)
+    except pieper.NoSolutionError as error:
+        if program.moves:
+            raise
+        asked = f"{Path(file).name} does not say where the arm is when it begins: is --start {start} right?"
+        raise pieper.NoSolutionError(f"{error} {asked}", **error.data) from None

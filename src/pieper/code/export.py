@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from importlib.metadata import PackageNotFoundError, version
@@ -14,7 +15,7 @@ from pieper import arguments
 from pieper.code.between import Between, between
 from pieper.code.labels import Labels, labels_of
 from pieper.code.program import Program, recorded
-from pieper.errors import InputError, PlanError
+from pieper.errors import InputError, PieperWarning, PlanError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import checked_pose
@@ -27,6 +28,8 @@ from pieper.tolerances import LIMIT_SLACK, SAME_SOLUTION, VERIFIED
 TESTS = 20
 #: How many of them are poses rounded to so many digits after the point, as people write them down.
 ROUNDED, DIGITS = 5, 6
+#: Limits that lie further apart than this many half turns, or lengths of the arm, are not drawn from whole.
+DRAWN = 10.0
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 LICENCE = "MIT licence, as pieper itself."
 
@@ -103,7 +106,10 @@ def export(arm: PlannedArm, name: str) -> Export:
     plan = arm.plan
     _refuse_what_is_no_formula(plan)
     own = between(plan)
-    q, T, counts = _postures(plan, own)
+    with warnings.catch_warnings():
+        # limits far from zero were remarked where they were said; postures inside them are no news
+        warnings.simplefilter("ignore", PieperWarning)
+        q, T, counts = _postures(plan, own)
     try:
         made_by = f"pieper {version('pieper')}"
     except PackageNotFoundError:
@@ -140,8 +146,7 @@ def _postures(plan: Plan, own: Between) -> tuple[Array, Array, tuple[int, ...]]:
     that holds no rounded pose (one of five joints, for one) none is.
     """
     rng = np.random.default_rng(20)
-    reach = np.where(plan.prismatic, plan.chain.length, np.pi)[:, None] * [-1.0, 1.0]
-    limits = np.where(np.isfinite(plan.limits), plan.limits, reach)
+    limits = _tried(plan)
     # six digits of a joint vector and twelve of what follows are enough for the test, and short in the file
     q = np.round(rng.uniform(limits[:, 0], limits[:, 1], (40 * TESTS, plan.n)), DIGITS)
     T = np.round(fk(plan.chain, q), 12)
@@ -160,6 +165,17 @@ def _postures(plan: Plan, own: Between) -> tuple[Array, Array, tuple[int, ...]]:
         np.concatenate([T[first], rounded[kept]]),
         tuple(int(k) for k in (*count[first], *again[kept])),
     )
+
+
+def _tried(plan: Plan) -> Array:
+    """Return where joint vectors are drawn (n, 2): inside the limits, a turn of those that are endless or far apart."""
+    half = np.where(plan.prismatic, plan.chain.length, np.pi)
+    lower, upper = plan.limits.T
+    # the turn about zero, or, where the limits lie beyond it, the one that begins at the limit next to zero
+    low = np.where(lower >= half, lower, np.where(upper <= -half, upper - 2 * half, -half))
+    near = np.asarray(np.abs(plan.limits) <= DRAWN * half[:, None], np.bool_).all(axis=1, keepdims=True)
+    window = np.stack([np.maximum(lower, low), np.minimum(upper, low + 2 * half)], 1)
+    return np.where(near, plan.limits, window)
 
 
 def _asked(plan: Plan, own: Between, q: Array, T: Array) -> tuple[Array, Bools, Array]:

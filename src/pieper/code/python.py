@@ -50,6 +50,11 @@ def own_parts(export: Export, module: str) -> dict[str, str]:
         "VALUE": f", value={own.default!r}" if held else "",
         "VALUE_SAID": ", value" if held else "",
         "VALUES": ", values" if held else "",
+        "VALUES_CHECKED": f"    values = {module}.asarray(values, float)\n    if values.shape != Ts.shape[:1] or not "
+        f"{module}.isfinite(values).all():\n"
+        '        raise ValueError(f"values must be finite, one a pose, got {values}.")\n'
+        if held
+        else "",
         "ONE_VALUE": f", {module}.asarray(value, float)[None]" if held else "",
         "TEST_VALUE": f", q[{own.held}]" if held else "",
         "MOVED": f"_moved(Ts, {module}.asarray(values, float))" if held else "Ts",
@@ -192,6 +197,8 @@ def _angle(y, x):
 def _walk(q):
     """Frames of the joints before they move (..., n, 4, 4), and the tool's pose."""
     q = np.asarray(q, float)
+    if q.shape[-1:] != SLIDES.shape:
+        raise ValueError(f"q must have shape (..., {len(SLIDES)}), got {q.shape}.")
     links = np.concatenate([LINKS, np.broadcast_to([0.0, 0.0, 0.0, 1.0], (len(LINKS), 1, 4))], 1)
     T = np.broadcast_to(links[0], (*q.shape[:-1], 4, 4))
     frames = []
@@ -235,7 +242,10 @@ def _rows(T):
 
 def ik_all(Ts@VALUES@):
     """Rows (N, 8, n) of poses (N, 4, 4) before limits, which hold (N, 8), which poses are unclear (N,)."""
-    Ts, good = _rigid(np.asarray(Ts, float))
+    Ts = np.asarray(Ts, float)
+    if Ts.ndim != 3 or Ts.shape[1:] != (4, 4):
+        raise ValueError(f"Ts must have shape (N, 4, 4), got {Ts.shape}.")
+@VALUES_CHECKED@    Ts, good = _rigid(Ts)
     if not good.all():
         raise ValueError(_NO_POSE.format(int(np.argmin(good))))
     with np.errstate(all="ignore"):

@@ -50,6 +50,14 @@ def bodies_of(tables: list[dict], joint_names: Sequence[str], top: Place) -> tup
 def shapes_of(tables: list[dict], top: Place) -> list[Shape]:
     """Return the shapes that the tables [[bodies]] of a scene file say, with their names."""
     names = _names(tables, top)
+    for i, table in enumerate(tables):
+        if "on" in table:
+            top.at("bodies", i).fail(
+                "bodies of a scene stand still; one that an arm carries is said in the arm's own file, or with "
+                "arm.with_bodies.",
+                "on",
+                given=table["on"],
+            )
     shapes = [_shape(table, top.at("bodies", i), ("name",)) for i, table in enumerate(tables)]
     return [_named(shape, name) for shape, name in zip(shapes, names, strict=True)]
 
@@ -141,6 +149,7 @@ def _shape(table: dict, place: Place, also: tuple[str, ...]) -> Shape:
     own = tuple(f"{stem}_{unit}" for stem in _STEMS[kind] for unit in UNITS_OF["length"])
     posed = kind in ("box", "cylinder")
     place.only(table, (*also, *own, *(POSE_KEYS if posed else ())))
+    _check_sizes(table, own, place, zero=kind == "convex body")
     try:
         if kind == "capsule":
             return Capsule(
@@ -156,6 +165,20 @@ def _shape(table: dict, place: Place, also: tuple[str, ...]) -> Shape:
         if "file" in error.data:
             raise
         place.fail(str(error), None, **error.data)
+
+
+def _check_sizes(table: dict, keys: Sequence[str], place: Place, *, zero: bool) -> None:
+    """Refuse a size that is none in the unit of the file: metres in a message would not be what stands there."""
+    for key in keys:
+        stem, unit = key.rsplit("_", 1)
+        value = table.get(key)
+        for one in value if isinstance(value, list) else [value]:
+            if stem not in ("size", "radius", "height") or not isinstance(one, (int, float)):
+                continue
+            if one < 0 or (one == 0 and not zero):
+                place.fail(
+                    f"must be {'at least' if zero else 'more than'} zero, {unit}, got {one:g}.", key, given=value
+                )
 
 
 def _point(table: dict, stem: str, place: Place) -> list[float]:

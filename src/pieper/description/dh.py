@@ -198,7 +198,7 @@ class Description:
             PlanError: A linkage moves axes of this arm.
         """
         if self.linked:
-            names = ", ".join(axis.name for axis in self.linked)
+            names = ", ".join(dict.fromkeys(axis.name for axis in self.linked))
             raise PlanError(f"{self.name} has a linkage that moves {names}; {what}. {cure}", linked=self.linked)
 
     def by_axes(self) -> Description:

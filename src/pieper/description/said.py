@@ -168,7 +168,7 @@ def describe(
 
 def remark_sizes(arm: Description, chain: Chain) -> None:
     """Warn where millimetres or degrees were probably said."""
-    if not remark_long(chain.length, "the links of this arm add up to"):
+    if not remark_long(chain.length, "the links between the joints of this arm add up to"):
         remark_long(float(np.linalg.norm(chain.links[-1][:3, 3])), "the tool stands from the last axis by")
         remark_long(float(np.linalg.norm(arm.base[:3, 3])), "the base stands away by")
     slides = np.array([kind == "P" for kind in arm.axis_types])

@@ -33,7 +33,7 @@ class Box:
         sides = _vector(size, "the size of a box")
         for side in sides:
             if side <= 0:
-                raise InputError(f"the sides of a box must be above zero, got {sides.tolist()}.", given=sides)
+                raise InputError(f"the sides of a box must be above zero, m, got {sides.tolist()}.", given=sides)
         _put(self, T=_pose(T, "the pose of a box"), size=sides, name=_word(name))
 
     def moved(self, T: Array) -> Box:
@@ -122,7 +122,11 @@ class Convex:
             said = "none" if not given.size else f"shape {given.shape}"
             raise InputError(f"points of a convex body must be (k, 3) finite numbers, m, got {said}.", given=points)
         if len(given) < 4:
-            raise InputError(f"a convex body needs at least four points, got {len(given)}.", given=len(given))
+            raise InputError(
+                f"a convex body needs at least four points, got {len(given)}. Give a Box for a plate, or a Capsule for "
+                "a rod.",
+                given=len(given),
+            )
         spread = np.linalg.svd(given - given.mean(0), compute_uv=False)
         if spread[2] <= FLAT_SHAPE * spread[0] or spread[0] == 0:
             raise InputError(

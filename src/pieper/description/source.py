@@ -107,7 +107,10 @@ def _chosen(arm: Description, base: str | None, tip: str | None) -> Description:
                 f"{arm.name} has no {table[:-1]} {name!r} for the {what}: {there}.", given=name, allowed=list(known)
             )
     if base is not None:
-        arm = replace(arm, base=np.asarray(inverse(arm.frames[base]) @ arm.base), checks=())
+        back = inverse(arm.frames[base])
+        # every named place is said from the new base too, as the arm is
+        frames = {name: np.eye(4) if name == base else np.asarray(back @ T) for name, T in arm.frames.items()}
+        arm = replace(arm, base=np.asarray(back @ arm.base), frames=frames, checks=())
     if tip is not None:
         arm = replace(arm, tool=arm.tools[tip], checks=())
     return arm

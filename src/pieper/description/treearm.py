@@ -210,8 +210,10 @@ def _master(tree: Tree, joint: Joint) -> tuple[str, float, float]:
         multiplier *= at.mimic.multiplier
         name = at.mimic.joint
         if name in seen or name not in by_name:
+            in_turn = name in seen and name != at.name
+            why = "which mimics it in turn" if in_turn else "which is not another joint of this file"
             tree.fail(
-                f"joint {at.name!r} mimics {name!r}, which is not another joint of this file. "
+                f"joint {at.name!r} mimics {name!r}, {why}. "
                 f"Correct the name, or take the <mimic> out to move {at.name!r} by itself.",
                 at,
             )

@@ -34,12 +34,14 @@ def whole_file(path: str | os.PathLike[str]) -> Generator[BinaryIO, None, None]:
     import tempfile
 
     given = arguments.file(path)
-    path = Path(os.path.realpath(given)) if given.is_symlink() else given
+    # the shell's links to pipes lead to no name
+    apart = given.exists() and not given.is_file()
+    path = Path(os.path.realpath(given)) if given.is_symlink() and not apart else given
     if path.is_dir():
         raise InputError(f"{given} is a folder: give the name of a file in it.", path=given)
     name = None
     try:
-        if path.exists() and not path.is_file():
+        if apart:
             with path.open("wb") as file:
                 yield file
             return

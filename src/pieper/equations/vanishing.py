@@ -8,7 +8,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from pieper.tolerances import DEGENERATE_EXACT, DEGENERATE_RANK, DEGENERATE_STEP
+from pieper.tolerances import (
+    DEGENERATE_EXACT,
+    DEGENERATE_NEAR,
+    DEGENERATE_RANK,
+    DEGENERATE_RANK_NEAR,
+    DEGENERATE_STEP,
+)
 
 Array = npt.NDArray[np.float64]
 Values = Callable[[Array], Array]
@@ -50,20 +56,33 @@ def vanishing_near(values: Values, q: Array, scale: Array) -> tuple[Array, Array
     def measured(u: Array) -> Array:
         return np.nan_to_num(values(u * scale)) / typical
 
-    u = q / scale
     with np.errstate(all="ignore"):
-        for _ in range(NEWTON):
-            points = np.concatenate([u, *(u + h for h in DEGENERATE_STEP * np.eye(n))])
-            every = measured(points).reshape(n + 1, len(u), -1)
-            here, J = every[0], (every[1:] - every[0]) / DEGENERATE_STEP
-            if np.abs(here).max() < DEGENERATE_EXACT:
-                break
-            move = np.einsum("kij,kj->ki", np.linalg.pinv(np.moveaxis(J, 0, 2), rcond=DEGENERATE_RANK), here)
-            u = u - np.clip(move, -0.5, 0.5)
+        u = _led(measured, q / scale, DEGENERATE_RANK)
         left = np.abs(measured(u))
+        near = (left.max(axis=1) < DEGENERATE_NEAR) & (left.max(axis=1) > DEGENERATE_EXACT)
+        if near.any():
+            # what vanishes twice over hardly changes beside the place, and its direction was not gone along
+            nearer = _led(measured, u[near], DEGENERATE_RANK_NEAR)
+            better = np.abs(measured(nearer)).max(axis=1) < left[near].max(axis=1)
+            u[near] = np.where(better[:, None], nearer, u[near])
+            left = np.abs(measured(u))
         ways = np.concatenate([np.eye(n), np.random.default_rng(37).uniform(-1, 1, (n, n))])
         beside = np.abs([measured(u + way * DEGENERATE_STEP) - measured(u) for way in ways]).max(axis=0)
     return u * scale, left.max(axis=1), np.asarray((left <= beside).all(axis=1), dtype=bool)
+
+
+def _led(measured: Values, u: Array, rank: float) -> Array:
+    """Return where Newton's steps lead from u (N, n); directions below `rank` are not gone along."""
+    n = u.shape[1]
+    for _ in range(NEWTON):
+        points = np.concatenate([u, *(u + h for h in DEGENERATE_STEP * np.eye(n))])
+        every = measured(points).reshape(n + 1, len(u), -1)
+        here, J = every[0], (every[1:] - every[0]) / DEGENERATE_STEP
+        if np.abs(here).max() < DEGENERATE_EXACT:
+            break
+        move = np.einsum("kij,kj->ki", np.linalg.pinv(np.moveaxis(J, 0, 2), rcond=rank), here)
+        u = u - np.clip(move, -0.5, 0.5)
+    return u
 
 
 def vanish_together(values: list[Callable[[Array], Any]], n: int, sliding: list[int], size: float) -> bool:

@@ -11,6 +11,7 @@ from pieper.algebra.parser import parse
 from pieper.errors import InputError
 from pieper.judge.claim import Claim
 from pieper.judge.keys import UNITS
+from pieper.judge.keys import printed as not_printed
 from pieper.judge.model import ArmModel
 from pieper.words_by_number import plural
 
@@ -53,6 +54,8 @@ def cut_off(printed: Any, right: float) -> bool:
 
 def misprint(printed: Any, right: float) -> str:
     """Return the one misprint that turns the right number into the printed one, "" when there is none."""
+    if not_printed(printed):
+        return ""  # a formula, as in solutions_deg = [["30 + 10"]], or a number with its unit
     text = as_text(printed)
     step = last_digit(printed)
     decimals = max(0, -_exponent(text))

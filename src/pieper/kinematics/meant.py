@@ -104,12 +104,12 @@ def remark_fast(value: ArrayLike, what: str, unit: str, most: float, none: float
         )
 
 
-def remark_turned(angles: ArrayLike, what: str) -> None:
-    """Warn of angles that make many whole turns."""
+def remark_turned(angles: ArrayLike, what: str, cure: str = "numpy.radians(...)") -> None:
+    """Warn of angles that make many whole turns; `cure` takes degrees there."""
     most = float(np.max(np.abs(angles), initial=0.0))
     if most > MOST_TURNED:
         warnings.warn(
-            f"{what} has {most:.4g} rad, which looks like degrees: numpy.radians(...) or degrees=True takes those.",
+            f"{what} has {most:.4g} rad, which looks like degrees: {cure} takes those.",
             PieperWarning,
             stacklevel=4,
         )

@@ -10,7 +10,7 @@ import numpy as np
 from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
-from pieper.tolerances import FARTHEST, ROTATION_ACCEPTED, ROTATION_EXACT, SMALL_TURN, TINY
+from pieper.tolerances import FARTHEST, NEAR_HALF_TURN, ROTATION_ACCEPTED, ROTATION_EXACT, SMALL_TURN, TINY
 
 FLIP = np.diag([1.0, -1.0, -1.0, 1.0])
 
@@ -298,10 +298,10 @@ def rotation_vector(rotations: Array) -> Array:
     small = sine < SMALL_TURN
     scale = np.where(small, 1.0, angle / np.where(small, 1.0, sine))
     vector = w * scale[..., None]
-    half_turn = small & (cosine < 0)
+    half_turn = (sine < NEAR_HALF_TURN) & (cosine < 0)
     if np.any(half_turn):
-        # near a half turn the sine carries no axis; R + I = 2 a a^T does
-        S = R + np.eye(3)
+        # near a half turn the sine carries no axis; the symmetric part less the cosine, (1 - cos) a a^T, does
+        S = (R + np.swapaxes(R, -1, -2)) / 2 - cosine[..., None, None] * np.eye(3)
         column = np.argmax(np.diagonal(S, axis1=-2, axis2=-1), axis=-1)
         a = np.take_along_axis(S, column[..., None, None], axis=-1)[..., 0]
         a = a / np.linalg.norm(a, axis=-1, keepdims=True)

@@ -140,7 +140,7 @@ def _spoken(name: str, value: object, degrees: bool) -> npt.NDArray[np.float64]:
         # one number at a time, as math.radians does it: quarter turns stay exact
         numbers = np.array([math.radians(number) for number in numbers])
     elif angles:
-        remark_turned(numbers, name)
+        remark_turned(numbers, name, "numpy.radians(...) or degrees=True")
     kind = {
         "abc": "zyx",
         "wpr": "rpy",

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, cast
 
@@ -42,7 +43,7 @@ class Grid:
     @property
     def count(self) -> int:
         """How many voxels there are."""
-        return int(np.prod(self.shape))
+        return math.prod(self.shape)
 
     def centres(self, which: Indices) -> Array:
         """Return the centres (k, 3) of voxels by their numbers, z innermost, m."""
@@ -99,7 +100,12 @@ def orientations_of(count: int, rolls: int) -> Array:
 
 
 def grid_of(
-    box: Sequence[Sequence[float]], step: float, orientations: Sequence[int] | ArrayLike, task: str, reach: float
+    box: Sequence[Sequence[float]],
+    step: float,
+    orientations: Sequence[int] | ArrayLike,
+    task: str,
+    reach: float,
+    fits: Callable[[int, int], None] = lambda voxels, turns: None,
 ) -> Grid:
     """Return the checked grid.
 
@@ -109,6 +115,7 @@ def grid_of(
         orientations: (directions, rolls), or rotations (k, 3, 3).
         task: The arm's task: a position has no orientation, an axis no roll.
         reach: The arm's length, m.
+        fits: Told how many voxels and orientations there will be before they are made; refuses what is too much.
 
     Raises:
         InputError: A box or step that is none, or in millimetres; orientations that are no rotations.
@@ -131,7 +138,14 @@ def grid_of(
             given=step,
         )
     shape = tuple(int(n) for n in np.ceil(side / step - RELATIVE_ROUNDING))
-    turns, rolls, fold = _orientations(orientations)
+    counts = _counts(orientations)
+    if counts is not None:
+        fits(math.prod(shape), {"position": 1, "position+axis": counts[0]}.get(task, counts[0] * counts[1]))
+        # an axis has no roll, a position no orientation
+        counts = {"position": (1, 1), "position+axis": (counts[0], 1)}.get(task, counts)
+    turns, rolls, fold = _orientations(orientations, counts)
+    if counts is None:
+        fits(math.prod(shape), len(turns))
     if task == "position":
         turns, rolls, fold = turns[:1], 1, 1
     elif task == "position+axis":
@@ -139,18 +153,23 @@ def grid_of(
     return Grid(corners[:, 0], float(step), cast("tuple[int, int, int]", shape), turns, rolls, fold)
 
 
-def _orientations(said: Any) -> tuple[Array, int, int]:
+def _counts(said: Any) -> tuple[int, int] | None:
+    """Return (directions, rolls) where that is said."""
+    counts = list(said) if isinstance(said, (tuple, list)) else []
+    whole = len(counts) == 2 and all(isinstance(n, (int, np.integer)) and n >= 1 for n in counts)
+    return (int(counts[0]), int(counts[1])) if whole else None
+
+
+def _orientations(said: Any, counts: tuple[int, int] | None) -> tuple[Array, int, int]:
+    if counts is not None:
+        return orientations_of(*counts), counts[1], fold_of(counts[0])
     turns = arguments.numbers(said, "orientations", "(directions, rolls) or rotations (k, 3, 3)")
     if turns.ndim == 3 and len(turns):
         poses = turns if turns.shape[1:] == (4, 4) else transform(turns) if turns.shape[1:] == (3, 3) else None
         if poses is not None:
             return checked_pose(poses, "orientations", batch=True)[:, :3, :3], 1, 1
-    counts = list(said) if isinstance(said, (tuple, list)) else []
-    whole = len(counts) == 2 and all(isinstance(n, (int, np.integer)) and n >= 1 for n in counts)
-    if not whole:
-        raise InputError(
-            "orientations must be (directions, rolls), both at least 1, or rotations (k, 3, 3), at least one, or poses "
-            f"(k, 4, 4), whose rotations are taken; got {arguments.kind_of(said)}.",
-            given=said,
-        )
-    return orientations_of(int(counts[0]), int(counts[1])), int(counts[1]), fold_of(int(counts[0]))
+    raise InputError(
+        "orientations must be (directions, rolls), both at least 1, or rotations (k, 3, 3), at least one, or poses "
+        f"(k, 4, 4), whose rotations are taken; got {arguments.kind_of(said)}.",
+        given=said,
+    )

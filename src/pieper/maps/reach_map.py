@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, field, fields
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol, runtime_checkable
 from uuid import uuid4
@@ -21,7 +21,7 @@ from pieper.kinematics.pose import PoseLike, checked_pose, rotation_z
 from pieper.maps.around import Around
 from pieper.maps.export import export
 from pieper.maps.grid import Grid, grid_of
-from pieper.maps.store import Store, bytes_of, identity
+from pieper.maps.store import Store, identity, refuse_too_much
 from pieper.maps.tile import MEASURES, Question, Tile, question_of, reached_exactly, shares, solved
 from pieper.solver.plan.plan import Plan
 from pieper.words_by_number import plural
@@ -30,8 +30,6 @@ from pieper.words_by_number import plural
 TILE_POSES = 1_000_000
 #: Tiles an executor holds at a time.
 AHEAD = 64
-#: Bytes of a map that is refused without a store.
-MOST_BYTES = 10_000_000_000
 SYMMETRIES = ("auto", "none")
 #: What one orientation of a task is called.
 WORDS = {"pose": "orientation", "position+axis": "direction", "position": "place"}
@@ -229,6 +227,10 @@ class ReachMap:
     def _asked(self) -> str:
         """What was asked of an arm that cannot hold every pose."""
         plan = self.plan
+        if plan.description.linked:
+            return (
+                f"The whole pose was asked, of which the arm's {plural(plan.n, 'joint')} hold {plan.n} of 6 numbers. "
+            )
         if plan.task == "pose" and plan.reduction.fill:
             return (
                 f"The whole pose was asked, of which the arm's {plural(plan.n, 'joint')} hold {plan.rank} of 6 "
@@ -253,8 +255,17 @@ def task_of_samples(plan_for: Callable[[str | None], Plan], task: str | None, or
 
     A pose of six numbers taken at random is none that an arm of fewer joints holds: the map would be empty. An arm
     that does not hold every position either, as one that moves in a plane, is asked for positions all the same.
+
+    Raises:
+        InputError: A linkage holds the arm's tool, which sampled orientations know nothing of.
     """
     plan = plan_for(task)
+    if plan.description.linked and np.ndim(orientations) == 1:
+        raise InputError(
+            f"sampled orientations are none that {plan.name} holds, whose linkage guides its tool: give its own, "
+            "orientations= rotations (k, 3, 3), such as arm.fk(q)[..., :3, :3] of postures q.",
+            given=orientations,
+        )
     if task is None and plan.reduction.fill and np.ndim(orientations) == 1:
         for less in ("position+axis", "position"):
             try:
@@ -288,13 +299,8 @@ def reach_map(
     arguments.flag(measure, "measure")
     if executor is not None:
         arguments.like(Submits, executor, "executor", "one of concurrent.futures, or have a method submit")
-    grid = grid_of(box, step, orientations, plan.task, plan.chain.length)
-    if store is None and bytes_of(grid, measure) > MOST_BYTES:
-        raise InputError(
-            f"this map has {grid.count:,} voxels and {bytes_of(grid, measure) / 1e9:.3g} GB: give a store= or a larger "
-            "step.",
-            bytes=bytes_of(grid, measure),
-        )
+    fits = partial(refuse_too_much, measure=measure, stored=store is not None)
+    grid = grid_of(box, step, orientations, plan.task, plan.chain.length, fits)
     question = question_of(plan, grid, symmetry, measure, around)
     per_tile = max(1, TILE_POSES // (len(grid.turns) * question.images.fold))
     kept = None if store is None else Store.opened(store, identity(question, per_tile))

@@ -7,6 +7,7 @@ import io
 import json
 import os
 from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +16,17 @@ import numpy as np
 from pieper import arguments
 from pieper.document.writing import whole_file
 from pieper.errors import InputError
-from pieper.maps.grid import Grid
 from pieper.maps.tile import MEASURES, Question, Tile
+from pieper.words_by_number import plural
 
+try:
+    VERSION = version("pieper")
+except PackageNotFoundError:  # a source tree that was not installed
+    VERSION = ""
 #: Version of the layout; another one is refused, not guessed at.
 LAYOUT = 4
+#: Bytes of a map that is refused without a store.
+MOST_BYTES = 10_000_000_000
 
 
 def identity(question: Question, per_tile: int) -> dict[str, Any]:
@@ -32,6 +39,7 @@ def identity(question: Question, per_tile: int) -> dict[str, Any]:
         arm.update(np.ascontiguousarray(plan.chain.coupling).tobytes())
     return {
         "layout": LAYOUT,
+        "pieper": VERSION,
         "arm": plan.name,
         "arm_sha256": arm.hexdigest(),
         "task": plan.task,
@@ -70,6 +78,8 @@ class Store:
         try:
             folder.mkdir(parents=True, exist_ok=True)
             known = json.loads(page.read_text()) if page.exists() else None
+            if not isinstance(known, dict | None):
+                raise ValueError(f"{page.name} says of no map what it keeps")
         except (OSError, ValueError) as error:
             raise InputError(f"store: {folder} cannot be used: {error}.", path=folder) from None
         if known is None:
@@ -115,6 +125,29 @@ class Store:
         return self.folder / f"tile_{number:06d}.sha256"
 
 
-def bytes_of(grid: Grid, measure: bool) -> int:
-    """Return how many bytes a map takes in memory."""
-    return grid.count * (-(-len(grid.turns) // 8) + 8 * (1 + len(MEASURES) * measure))
+def refuse_too_much(voxels: int, turns: int, *, measure: bool, stored: bool) -> None:
+    """Refuse a map of so many voxels and orientations that it would fill the machine, before any of it is made.
+
+    Raises:
+        InputError: The orientations alone are too much, or the map is and has no store.
+    """
+    rotations = turns * 9 * 8
+    if rotations > MOST_BYTES:
+        raise InputError(
+            f"{_said(turns)} orientations of 72 bytes are {_gigabytes(rotations)}: give fewer.", bytes=rotations
+        )
+    size = voxels * (-(-turns // 8) + 8 * (1 + len(MEASURES) * measure))
+    if size > MOST_BYTES and not stored:
+        raise InputError(
+            f"this map has {_said(voxels)} voxels with {plural(turns, 'orientation')} each, {_gigabytes(size)}: give a "
+            "store=, a larger step or fewer orientations.",
+            bytes=size,
+        )
+
+
+def _said(number: int) -> str:
+    return f"{number:,}" if number < 10**15 else f"{number:.3g}"
+
+
+def _gigabytes(size: int) -> str:
+    return f"{size // 10**9:,} GB" if 10**11 <= size < 10**18 else f"{size / 10**9:.3g} GB"

@@ -17,6 +17,8 @@ from pieper.words_by_number import plural
 
 #: What is said to somebody who gives something else.
 SAY_LIMITS = "say pieper.Limits(speed=..., acceleration=...)"
+#: What is said where a limit would hold a joint still.
+HELD_JOINT = "a joint that is to stand still does so where the path does not move it"
 _UNITS = {"speed": "rad/s or m/s", "acceleration": "rad/s^2 or m/s^2", "jerk": "rad/s^3 or m/s^3"}
 _TOOL_UNITS = {"tool_speed": "m/s", "tool_acceleration": "m/s^2", "turn_speed": "rad/s"}
 
@@ -122,7 +124,9 @@ def _positive(value: object, what: str) -> Array:
     if bad.any():
         which = f" of joint {int(np.argmax(bad)) + 1}" if array.ndim else ""
         number = float(array[bad][0] if array.ndim else array)
-        cure = "no limit is said by a large number" if np.isposinf(number) else "a joint that must not move is locked"
+        cure = "leave it out for none" if what == "jerk" else HELD_JOINT
+        if not number <= 0:
+            cure = "no limit is said by a large number" if np.isposinf(number) else "say how much"
         raise InputError(
             f"{what}{which} must be finite and more than zero, {unit}, got {number:g}; {cure}.",
             given=number,

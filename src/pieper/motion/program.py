@@ -376,10 +376,12 @@ class Program:
         outside = ~inside(joints, self.plan.limits)
         if outside.any():
             j = int(np.argmax(outside))
-            low, high = self.plan.limits[j]
+            scale, unit = (1e3, "mm") if self.plan.prismatic[j] else (180 / np.pi, "deg")
+            low, high = self.plan.limits[j] * scale
             name = self.plan.names[j]
             raise InputError(
-                f"{what} is outside the limits: {name} is {joints[j]:.6g}, allowed is {low:.6g} to {high:.6g}.",
+                f"{what} is outside the limits: {name} is at {joints[j] * scale:.6g} {unit}, allowed is {low:.6g} to "
+                f"{high:.6g} {unit}.",
                 joint=name,
             )
         return np.array(joints)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import tomllib
+from collections.abc import Generator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, cast
 
@@ -16,7 +18,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import inverse
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.instructions import FrameChange, Instruction, Move, Output, ToolChange, Wait
-from pieper.motion.limits import Limits
+from pieper.motion.limits import HELD_JOINT, Limits
 from pieper.motion.program import Program, ProgramArm
 
 #: Decimals of degrees, millimetres and seconds.
@@ -31,6 +33,15 @@ _BESIDE = {
 }
 _JOINT_LIMITS = ("speed", "acceleration", "jerk")
 _TOOL_LIMITS = ("tool_speed", "tool_acceleration", "turn_speed")
+#: What the numbers of [limits] are in a file.
+_UNITS = {
+    "speed": "deg/s, mm/s of a slide",
+    "acceleration": "deg/s^2, mm/s^2 of a slide",
+    "jerk": "deg/s^3, mm/s^3 of a slide",
+    "tool_speed": "mm/s",
+    "tool_acceleration": "mm/s^2",
+    "turn_speed": "deg/s",
+}
 
 
 def save_program(program: Program, path: str | os.PathLike[str]) -> Path:
@@ -84,24 +95,32 @@ def load_program(arm: ProgramArm, path: str | os.PathLike[str]) -> Program:
     if meant != arm.plan.name:
         raise InputError(f"{file.name} is a program of {meant}, not of {arm.plan.name}.", given=meant)
     scale = np.where(arm.plan.prismatic, 0.001, np.pi / 180)
-    limits = _limits(data.get("limits"), scale, file.name)
+    limits = _limits(data.get("limits"), scale, arm, file.name)
     start = data.get("start")
     begin = (
         start if start is None or isinstance(start, str) else _vector(start, arm.plan.n, f"{file.name}: start") * scale
     )
-    program = Program(arm, limits, start=begin)
+    with _told_of(file.name):
+        program = Program(arm, limits, start=begin)
     steps = data.get("step", [])
     if not isinstance(steps, list):
         raise InputError(f"{file.name}: steps are written as [[step]].", given=type(steps).__name__)
     for number, step in enumerate(cast("list[Any]", steps), 1):
         where = f"{file.name}, step {number}"
-        try:
+        with _told_of(where):
             _add(program, step, scale, where)
-        except PieperError as error:
-            text = str(error)
-            data = cast("dict[str, Any]", error.data)
-            raise type(error)(text if text.startswith(where) else f"{where}: {text}", **data) from None
     return program
+
+
+@contextmanager
+def _told_of(where: str) -> Generator[None]:
+    """Say of what is refused inside where in a file it stands."""
+    try:
+        yield
+    except PieperError as error:
+        text = str(error)
+        data = cast("dict[str, Any]", error.data)
+        raise type(error)(text if text.startswith(where) else f"{where}: {text}", **data) from None
 
 
 def _add(program: Program, said: Any, scale: Array, where: str) -> None:
@@ -135,12 +154,12 @@ def _add(program: Program, said: Any, scale: Array, where: str) -> None:
 
 def _move(program: Program, kind: str, step: dict[str, Any], scale: Array, where: str) -> None:
     value, speed = step[kind], step.get("speed")
-    blend = _length(step.get("blend", 0.0), f"{where}: blend")
+    blend = 0.001 * arguments.number(step.get("blend", 0.0), f"{where}: blend", "a radius, mm", least=0.0)
     if kind == "move_j":
         target = value if isinstance(value, str) else _vector(value, program.plan.n, f"{where}: move_j") * scale
         program.move_j(target, speed=speed, blend=blend)
         return
-    v = None if speed is None else _length(speed, f"{where}: speed")
+    v = None if speed is None else 0.001 * arguments.number(speed, f"{where}: speed", "mm/s", above=0.0)
     if kind == "move_l":
         program.move_l(_pose(value, f"{where}: move_l"), speed=v, blend=blend)
     elif kind == "move_c":
@@ -162,7 +181,7 @@ def _list(value: Any, what: str) -> list[Any]:
     return cast("list[Any]", value)
 
 
-def _limits(said: Any, scale: Array, name: str) -> Limits:
+def _limits(said: Any, scale: Array, arm: ProgramArm, name: str) -> Limits:
     if not isinstance(said, dict):
         raise InputError(f"{name} has no [limits]: say speed and acceleration, degrees and mm a second.", given=said)
     given = cast("dict[str, Any]", said)
@@ -174,11 +193,25 @@ def _limits(said: Any, scale: Array, name: str) -> Limits:
         )
     out: dict[str, Any] = {}
     for key, value in given.items():
-        if key in _JOINT_LIMITS:
-            many = cast("list[Any]", value) if isinstance(value, list) else [value] * len(scale)
-            out[key] = _vector(many, len(scale), f"{name}: {key}") * scale
-        else:
-            out[key] = _length(value, f"{name}: {key}") * (1e3 * np.pi / 180 if key == "turn_speed" else 1.0)
+        unit = _UNITS[key]
+        if key not in _JOINT_LIMITS:
+            read = arguments.number(value, f"{name}: {key}", f"{unit} (left out for none)", above=0.0)
+            out[key] = read * (np.pi / 180 if key == "turn_speed" else 0.001)
+            continue
+        many = cast("list[Any]", value) if isinstance(value, list) else [value] * len(scale)
+        row = _vector(many, len(scale), f"{name}: {key}")
+        for joint, number in zip(arm.plan.names, row.tolist(), strict=True):
+            if number <= 0:
+                which = f" of {joint}" if isinstance(value, list) else ""
+                cure = "leave it out for none" if key == "jerk" else HELD_JOINT
+                raise InputError(
+                    f"{name}: {key}{which} must be more than zero, {unit}, got {number:g}; {cure}.", given=row
+                )
+        out[key] = row * scale
+    missing = [key for key in ("speed", "acceleration") if key not in given]
+    if missing:
+        said = f"say one number for all joints or one a joint, {_UNITS[missing[0]]}"
+        raise InputError(f"{name}: [limits] has no {missing[0]}: {said}.", missing=missing)
     return Limits(**out)
 
 
@@ -190,12 +223,6 @@ def _vector(value: Any, count: int, what: str) -> Array:
     if row.shape != (count,) or not np.isfinite(row).all():
         raise InputError(f"{what} must be {count} numbers, got {value!r}.", given=value)
     return row
-
-
-def _length(value: Any, what: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise InputError(f"{what} must be a number, got {value!r}.", given=value)
-    return float(value) * 0.001
 
 
 def _pose(value: Any, what: str) -> Array:

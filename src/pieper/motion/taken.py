@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
+import numpy as np
+
 from pieper.description.dh import Description
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
@@ -15,6 +17,7 @@ from pieper.motion.dialects.target import Target
 from pieper.motion.instructions import Gripper, Happening, Output
 from pieper.motion.limits import Limits
 from pieper.solver.plan.plan import Plan
+from pieper.tolerances import SAME_SOLUTION
 
 
 class Taker(Protocol):
@@ -93,6 +96,8 @@ def _move(program: Taker, target: Target, number: int, now: Callable[[], Array])
     where, blend = target.T if target.q is None else target.q, target.blend or 0.0
     if where is None:
         raise InputError(f"target {number} of the file has no place.", given=number)
+    if target.kind == "point" and np.abs(np.asarray(where) - now()).max(initial=0.0) < SAME_SOLUTION:
+        return  # where a motion in time rests, its points repeat
     if target.kind in ("move_j", "point") or (target.kind == "move_c" and target.T is None and target.q_via is None):
         if target.q is None and (target.words is not None or target.near is not None):
             where = meant(program.plan, program.description.manufacturer, program.work @ where, target, number, now())

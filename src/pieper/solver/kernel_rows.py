@@ -37,17 +37,16 @@ def kernel_rows(plan: Plan, T: Array, values: Array, threads: int) -> Solved:
         q6, valid, _, flags = plan.solver.many(np.ascontiguousarray(reduction.moved_pose(T, values)), threads)
     else:
         q6, valid, flags = _per_value(plan, T, values, threads)
-    full = np.zeros((*q6.shape[:2], reduction.full.n))
     if reduction.fill:
         unit = np.array([plan.chain.length if p else 1.0 for _, p in reduction.fill])
         # a pose of the arm as described is none of the nominal arm: it misses by about as much as was snapped
         zero = max(FILLED_STARTS, 10 * plan.drift)
         valid = valid & (np.abs(q6[..., reduction.filled] / unit) < zero).all(-1)
-    full[..., reduction.kept] = q6 if not reduction.fill else q6[..., reduction.real]
+        q6, valid, flags = refilled_rows(plan, T, values, q6[..., reduction.real], valid, flags)
+    full = np.zeros((*q6.shape[:2], reduction.full.n))
+    full[..., reduction.kept] = q6
     if reduction.locked:
         full[..., list(reduction.locked)] = values[:, None, :]
-    elif reduction.fill:
-        return Solved(*refilled_rows(plan, T, full, valid, flags))
     return Solved(full, valid, flags)
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Bits, Bools
+from pieper.kinematics.arrays import Array, Bits, Bools, Indices
+from pieper.kinematics.joints import JointSpace
 from pieper.kinematics.newton import singular_values
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag
@@ -13,27 +14,42 @@ from pieper.tolerances import CLEARLY_REGULAR, FILLED_STARTS, SAME_ROW
 _DOUBT = np.uint8(int(Flag.DEGENERATE | Flag.UNCERTAIN))
 #: What a filling says that gives no rows, and does not say that poses beside have none.
 _EDGE = np.uint8(int(Flag.EDGE))
+#: What it says where it gives none at all.
+_NONE = np.uint8(int(Flag.OUT_OF_REACH | Flag.EDGE))
 
 
-def refilled_rows(plan: Plan, T: Array, q: Array, valid: Bools, flags: Bits) -> tuple[Array, Bools, Bits]:
+def refilled_rows(
+    plan: Plan, T: Array, values: Array, q: Array, valid: Bools, flags: Bits
+) -> tuple[Array, Bools, Bits]:
     """Return rows of poses T (N, 4, 4) with what other fillings say where the first is singular or in doubt.
 
     All that the arm has at a pose is among the solutions of each filling, with the virtual joints at zero: one filling
     that is certain there tells them all, and where it finds nothing singular there is nothing singular.
 
     Args:
-        plan: Of an arm that is filled up, none of its joints held.
+        plan: Of an arm that is filled up.
         T: (N, 4, 4).
-        q: (N, M, k) the first filling's rows, virtual joints cut off.
+        values: (N, l) of its locked joints.
+        q: (N, M, k) the first filling's rows, locked and virtual joints cut off.
         valid: (N, M).
         flags: (N,) bits of `Flag`.
     """
-    doubt = flags & _DOUBT
-    doubted = np.flatnonzero(doubt)
-    if not len(doubted) or not plan.refilled:
+    doubted = np.flatnonzero(flags & _DOUBT)
+    if not len(doubted):
         return q, valid, flags
     q, valid, flags = q.copy(), valid.copy(), flags.copy()
-    for solver, real in plan.refilled:
+    distinct, which = np.unique(values[doubted], axis=0, return_inverse=True)
+    for k, value in enumerate(distinct):
+        _refilled(plan, T, value, doubted[which.reshape(-1) == k], q, valid, flags)
+    return q, valid, flags
+
+
+def _refilled(plan: Plan, T: Array, value: Array, doubted: Indices, q: Array, valid: Bools, flags: Bits) -> None:
+    """Put into rows and flags what other fillings say of doubted poses with the locked joints at value (l,)."""
+    full, kept = plan.reduction.full, plan.reduction.kept
+    joints = JointSpace(full.prismatic[kept], full.length) if plan.reduction.locked else full.joints
+    doubt = flags & _DOUBT
+    for solver, real in plan.refilled_at(value):
         q6, there, _, said = solver.many(np.ascontiguousarray(T[doubted]), 1)
         virtual = np.setdiff1d(np.arange(6), real)
         there &= np.all(np.abs(q6[..., virtual]) < FILLED_STARTS * solver.chain.joints.unit[virtual], axis=-1)
@@ -41,14 +57,14 @@ def refilled_rows(plan: Plan, T: Array, q: Array, valid: Bools, flags: Bits) -> 
         for k in np.flatnonzero(said < doubt[doubted]):
             i = doubted[k]
             rows = np.concatenate([q[i][valid[i]], q6[k][there[k]][:, real]])
-            rows = rows[plan.reduction.full.joints.distinct(rows, SAME_ROW)][: q.shape[1]]
+            rows = rows[joints.distinct(rows, SAME_ROW)][: q.shape[1]]
             q[i], valid[i] = 0.0, False
             q[i, : len(rows)], valid[i, : len(rows)] = rows, True
-            flags[i], doubt[i] = said[k] | (flags[i] & ~_DOUBT), said[k]
-        doubted = np.flatnonzero(doubt)
+            was = flags[i] & ~(_DOUBT | _NONE) if len(rows) else flags[i] & ~_DOUBT
+            flags[i], doubt[i] = said[k] | was, said[k]
+        doubted = doubted[doubt[doubted] > 0]
         if not len(doubted):
             break
-    return q, valid, flags
 
 
 def all_by_count(plan: Plan, q: Array, valid: Bools, flags: Bits) -> Bits:

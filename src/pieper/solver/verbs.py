@@ -266,7 +266,7 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: 
     from pieper.solver.singular.careful import overlooked, sure_beside
 
     if not flag & _DEGENERATE:
-        doubted = bool(flag & _UNCERTAIN) and plan.whole and bool(sure_beside(plan, T[None])[0])
+        doubted = bool(flag & _UNCERTAIN) and bool(sure_beside(plan, T[None])[0])
         if not doubted and (len(q) or not overlooked(plan, T[None])[0]):
             return Solutions(plan, WORDS, T, q, slots, inside, flag & ~_EDGE)
     return _with_care(plan, T, q, flag)
@@ -274,10 +274,10 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: 
 
 def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
     """Return all there is at a pose that may be singular, of which rows q (m, n) are known."""
-    from pieper.solver.singular.careful import all_there, clear, every_solution, settled
+    from pieper.solver.singular.careful import all_there, clear, every_solution, settled, with_arms_beside
 
-    flag &= ~_EDGE
-    if flag & _DOUBTFUL and plan.direct and all_there(plan, T, q, flag):
+    flag, q = flag & ~_EDGE, with_arms_beside(plan, T, q)
+    if flag & _DOUBTFUL and all_there(plan, T, q, flag):
         q, inside = plan.chain.joints.inside_limits(q, plan.limits)
         return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag & ~_DOUBTFUL)
     found = None if clear(plan, q) else every_solution(plan, T, q)
@@ -304,11 +304,10 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     # a kernel that gives no rows says whether poses beside have none; of a chain within another that says nothing
     edge = (rows.flags & _EDGE) > 0 if plan.direct else ~some
     rows.flags[:] = rows.flags & np.uint8(255 ^ _EDGE)
-    if plan.whole:
-        doubted = np.flatnonzero((rows.flags & _DOUBTFUL) == _UNCERTAIN)
-        for first in range(0, len(doubted), LOOKED_AT_ONCE):
-            part = doubted[first : first + LOOKED_AT_ONCE]
-            marked[part] = sure_beside(plan, poses[part])
+    doubted = np.flatnonzero((rows.flags & _DOUBTFUL) == _UNCERTAIN)
+    for first in range(0, len(doubted), LOOKED_AT_ONCE):
+        part = doubted[first : first + LOOKED_AT_ONCE]
+        marked[part] = sure_beside(plan, poses[part])
     none = np.flatnonzero(edge & ~marked)
     for first in range(0, len(none), LOOKED_AT_ONCE):
         part = none[first : first + LOOKED_AT_ONCE]

@@ -67,6 +67,9 @@ COEFFICIENT_VANISHES = 1e-8
 DEGENERATE_CLOSES = 1e-7
 #: Directions in which coefficients change by less than this part of the most are not gone along.
 DEGENERATE_RANK = 1e-6
+#: Part of their usual size below which coefficients may vanish twice over at the place, and what then counts as no
+#: change at all: their slope goes with the distance, which comes down to the difference quotient's step.
+DEGENERATE_NEAR, DEGENERATE_RANK_NEAR = 1e-7, 1e-12
 #: A formula's own condition below this says that the formula degenerates as well; angles agree to it (rad).
 DEGENERATE_CLEAR = 1e-6
 #: Damping of a step: this part of the square of what is missed,

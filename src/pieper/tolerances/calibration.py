@@ -17,6 +17,8 @@ CALIBRATION_STEPS = 60
 MISREAD = 0.2
 #: Data that miss the nominal arm by less than this part of its length are not suspected of a wrong reading.
 SUSPICIOUS = 0.03
+#: A reading that leaves more than this (per length of the arm; of poses rad are added) explains nothing.
+CURED = 0.3
 #: Where a fitted arm misses what was measured by more than this part of how much it varies, it explains nothing:
 #: measurements that belong to the joints leave a hundredth at most.
 EXPLAINS_NOTHING = 0.3

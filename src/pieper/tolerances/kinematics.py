@@ -24,6 +24,8 @@ ROLL_IS_YAW = 1e-13
 FARTHEST = 1e12
 #: Sine of a turn below which its axis is read from the series.
 SMALL_TURN = 1e-7
+#: Sine of a turn beyond a quarter below which its axis is read from the symmetric part: divided by it, rounding grows.
+NEAR_HALF_TURN = 0.1
 #: A pose without a solution this many reaches away was probably said in millimetres.
 FAR_AWAY = 100.0
 #: A body this many reaches across was too: floors and halls are less, the smallest tables in millimetres are more.

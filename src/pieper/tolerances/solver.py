@@ -42,6 +42,9 @@ SWP_TILTED = 1e-12
 SWP_IN_PLANE = 1e-9
 #: Inner links that are together shorter than this part of the largest are no measure of length.
 LENGTHLESS = 1e-9
+#: An elimination noisier than this on test poses, relative, finds what made sixteen of them or not as rounding has it:
+#: where the arm is nearly a special one, it is solved through that.
+BELIEVED_NOISE = 1e-10
 #: Below this smallest singular value (per length of the arm; rad) the damped inverse is taken.
 DAMPED_INVERSE = 1e-6
 #: How far beside a value at which what is left of the arm is solved by no family it is solved instead (rad; lengths).
@@ -118,6 +121,9 @@ SURE_ASIDE = (1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 4e-2)
 #: A solution led back onto the pose is one of its rows within this (rad; per length): of merged roots it ends
 #: in the blur.
 SAME_VOUCHED = 1e-4
+#: By how much links of arms beside one are turned and moved (rad; per length), where every elimination of its own
+#: vanishes: enough that theirs keep ten digits, little enough that nearly every pose keeps its count.
+ARM_BESIDE = 3e-4
 #: Sizes of the side steps (per length; rad) from which a singular pose is approached.
 APPROACH_SIZES = (1e-4, 1e-7)
 #: A point this near a traced curve is on it; samples lie 0.12 apart, so the polyline cuts corners by about 2e-3.

@@ -163,6 +163,18 @@ def test_one_pose_and_many_poses_agree():
         assert bits == flag[i]
 
 
+@pytest.mark.parametrize("name", ["EA1400N", "UR5e + 1e-3", "random"])
+def test_a_pose_comes_to_the_same_digits_alone_as_among_others(name):
+    chain = ARMS[name]
+    T = fk(chain, draw(chain, np.random.default_rng(4), 200))
+    many = solver_of(chain).many
+    whole = many(T, 1)
+    for size in (1, 2, 3, 7):  # alone, and with groups of lanes that are not full
+        parts = [many(T[first : first + size], 1) for first in range(0, len(T), size)]
+        for k, field in enumerate(whole):
+            assert np.array_equal(np.concatenate([part[k] for part in parts]), field)
+
+
 def test_out_of_reach_is_said_and_not_guessed():
     chain = ARMS["EA1400N"]
     T = fk(chain, draw(chain, np.random.default_rng(8), 20))

@@ -253,20 +253,24 @@ def named(text: str, names: Sequence[str]) -> list[float] | None:
     return out
 
 
+#: What to do about a name that a maker does not take: it is the file's where none is said.
+RENAME = "name the file so, or say another with name="
+
+
 def checked_name(name: str, dialect: Dialect) -> str:
     """Return a program's name, or say why the maker does not take it."""
     if not name.isascii():
-        raise InputError(f"a {dialect.name} program's name must be ASCII, got {name!r}.", given=name)
+        raise InputError(f"a {dialect.name} program's name must be ASCII, got {name!r}; {RENAME}.", given=name)
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name):
         raise InputError(
             f"a {dialect.name} program's name begins with a letter and has letters, digits and _ alone, got {name!r}; "
-            "say another with name=.",
+            f"{RENAME}.",
             given=name,
         )
     if len(name) > dialect.longest:
         raise InputError(
-            f"a {dialect.name} program's name has at most {dialect.longest} characters, {name!r} has {len(name)}; say "
-            "another with name=.",
+            f"a {dialect.name} program's name has at most {dialect.longest} characters, {name!r} has {len(name)}; "
+            f"{RENAME}.",
             given=name,
         )
     return name

@@ -14,7 +14,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
 from pieper.solver.families.family import Family, KernelSpec
 from pieper.solver.families.loop import full_rank
-from pieper.tolerances import GEOMETRY_EXACT, LENGTHLESS, TINY
+from pieper.tolerances import BELIEVED_NOISE, GEOMETRY_EXACT, LENGTHLESS, TINY
 
 #: The kernel's order of trials: six starts of the loop, two directions, two orders of the pair.
 _DIRECTIONS = ("forward", "backward")
@@ -50,9 +50,10 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     Returns:
         The spec. Its `info` holds `usable` (number of ways left), `certified` (False where every way vanishes for
         this geometry and a slightly changed arm is solved instead, its solutions polished onto this one: poses are
-        then flagged uncertain), `hidden_joint` (1-based, of the best way), `direction`, `noise` (of the best way,
-        relative; 1e-16 is perfect), `ways` (a tuple of dicts: rank, hidden joint, direction, missed test solutions,
-        noise), `max_solutions` (what the degree allows) and `scale` (m).
+        then flagged uncertain; or where the best way is noisier than can be believed), `hidden_joint` (1-based, of
+        the best way), `direction`, `noise` (of the best way, relative; 1e-16 is perfect), `ways` (a tuple of dicts:
+        rank, hidden joint, direction, missed test solutions, noise), `max_solutions` (what the degree allows) and
+        `scale` (m).
 
     Raises:
         PlanError: No way of elimination is of use; the message says why, as far as it is known.
@@ -75,7 +76,7 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
         best = {"hidden_joint": None, "direction": "a nearby arm's solutions, polished", "noise": 1.0}
     info: dict[str, Any] = {
         "usable": geometry.usable,
-        "certified": slides == 3 or bool(exact),
+        "certified": slides == 3 or (bool(exact) and best["noise"] < BELIEVED_NOISE),
         "hidden_joint": best["hidden_joint"],
         "direction": best["direction"],
         "noise": best["noise"],

@@ -60,6 +60,8 @@ def pair_order(chain: Chain, links: np.ndarray, first: int, plane: bool) -> tupl
     Q = np.where(
         chain.prismatic, chain.length * rng.uniform(-0.5, 0.5, (_POSES, 6)), rng.uniform(-np.pi, np.pi, (_POSES, 6))
     )
+    if plane and slides[1]:
+        return False, False, True  # a sliding middle joint leaves each of the two equations one joint, at every pose
     hide_c = first_c = 0
     rank_one = np.ones(2, bool)
     for T in chain.native.fk(Q):

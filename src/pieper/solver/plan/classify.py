@@ -28,6 +28,7 @@ from pieper.solver.plan.six_joints import (
     sample_joints,
     with_task_joints,
 )
+from pieper.solver.plan.unlike import unlike, unlike_parts
 from pieper.solver.words.explain import explain
 from pieper.tolerances import GEOMETRY_EXACT, NEARLY_SPECIAL
 from pieper.words_by_number import plural
@@ -185,7 +186,7 @@ def _coupled(chain: Chain, description: Description, task: str | None, snap: flo
 
 
 def _linked_words(description: Description) -> str:
-    names = ", ".join(axis.name for axis in description.linked)
+    names = ", ".join(dict.fromkeys(axis.name for axis in description.linked))
     return f"a linkage that moves {names}"
 
 
@@ -240,7 +241,7 @@ def _in_words_of(way: Reduction, description: Description, refused: PlanError) -
 def _ranked(ways: list[Reduction], description: Description, tolerance: float) -> list[Reduction]:
     scored: list[tuple[int, int, bool, int, Reduction]] = []
     for order, way in enumerate(ways[:MOST_WAYS]):
-        values = np.full(len(way.locked), 0.3719)  # a generic value: zero often looks more special than the arm is
+        values = unlike(len(way.locked), 0.3719)  # a generic value: zero often looks more special than the arm is
         six = way.six(values)
         real = sum(j < way.arm.n for j in way.locked)
         # an arm of fewer than six joints cannot keep a chosen orientation: its own joints are held, not the task's
@@ -253,7 +254,9 @@ def _ranked(ways: list[Reduction], description: Description, tolerance: float) -
 def _defaults(reduction: Reduction, description: Description, part: float = 0.5) -> Array:
     """Return the values locked joints have when nobody chooses: this far within their limits, or about zero."""
     values: list[float] = []
-    for joint in reduction.locked:
+    count = len(reduction.locked)
+    parts = unlike_parts(count, part).tolist() if part in UNLIKE_OTHERS else [part] * count
+    for joint, part in zip(reduction.locked, parts, strict=True):
         lower, upper = description.limits[joint] if joint < reduction.arm.n else (-np.inf, np.inf)
         bounded = np.isfinite(lower) and np.isfinite(upper)
         values.append(float((1 - part) * lower + part * upper if bounded else np.clip(2 * part - 1, lower, upper)))

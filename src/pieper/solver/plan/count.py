@@ -18,6 +18,7 @@ from pieper.kinematics.geometry import Geometry, look
 from pieper.solver.plan.holding import TRIED
 from pieper.solver.plan.plan import Count, Plan
 from pieper.solver.plan.six_joints import generic_rank, with_task_joints
+from pieper.solver.plan.unlike import unlike
 from pieper.words_by_number import plural
 
 #: Turns and slides of the first three joints of a spherical wrist's arm, or of an arm for positions: solutions at most.
@@ -71,7 +72,7 @@ def _with_spares_held(plan: Plan) -> Count | None:
     names = tuple(plan.full_names[joint] for joint in range(way.full.n) if joint not in reduction.locked)
     most: Count | None = None
     for value in TRIED:
-        chain = way.with_locked(np.full(len(reduction.locked), value))
+        chain = way.with_locked(unlike(len(reduction.locked), value))
         found = _own(chain, look(chain, plan.geometry.tolerance), names, task)
         if found is None:
             return None

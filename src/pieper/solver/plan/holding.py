@@ -13,6 +13,7 @@ from pieper.solver.native import without_far_ends
 from pieper.solver.plan import six_joints
 from pieper.solver.plan.plan import MOST_LOCKED, Plan, as_it_is
 from pieper.solver.plan.prepared import made_once
+from pieper.solver.plan.unlike import unlike
 from pieper.tolerances import GEOMETRY_EXACT
 
 #: Values at which a joint is tried when its family is chosen: of no special kind, so that an arrangement that holds at
@@ -43,7 +44,7 @@ def _made(plan: Plan, joints: tuple[int, ...]) -> Plan:
         raise PlanError(f"{plan.name}: the pose alone decides {names}, which cannot be chosen.", joints=joints)
     refused = None
     for value in TRIED:
-        six, _ = without_far_ends(reduction.six(np.full(len(joints), value)))
+        six, _ = without_far_ends(reduction.six(unlike(len(joints), value)))
         try:
             family, spec = choose(six, look(six, GEOMETRY_EXACT))
         except PlanError as error:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any
@@ -19,8 +19,9 @@ from pieper.kinematics.newton import missed, scaled_jacobian
 from pieper.kinematics.pose import pose_error
 from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import SixJointSolver, without_far_ends
+from pieper.solver.plan.beside import arms_beside
 from pieper.solver.plan.cuspidal import Cuspidal, never, search
-from pieper.solver.plan.prepared import UNLIMITED, Prepared, solver_of
+from pieper.solver.plan.prepared import UNLIMITED, Prepared
 from pieper.solver.plan.six_joints import Reduction, refilled, sample_joints, with_task_joints
 from pieper.tolerances import RANK
 from pieper.words_by_number import plural
@@ -222,15 +223,27 @@ class Plan:
         return SixJointSolver(six, self.spec, limits, ends)
 
     @cached_property
-    def refilled(self) -> tuple[tuple[SixJointSolver, Indices], ...]:
-        """Solvers of the arm filled up with other virtual joints, and which of the six are real; singular elsewhere."""
-        made: list[tuple[SixJointSolver, Indices]] = []
-        for way in refilled(self.reduction):
+    def _refillings(self) -> tuple[tuple[Prepared, Indices], ...]:
+        return tuple((Prepared(way.six, MOST_SOLVERS), way.real) for way in refilled(self.reduction))
+
+    def refilled_at(self, values: Array) -> Iterator[tuple[SixJointSolver, Indices]]:
+        """Yield solvers of other fillings, locked joints at values (k,), and which of the six joints are real."""
+        for prepared, real in self._refillings:
             try:
-                made.append((solver_of(way.six(self.defaults)), way.real))
+                yield prepared.at(tuple(values.tolist())), real
             except PlanError:
                 continue
-        return tuple(made)
+
+    @cached_property
+    def refilled(self) -> tuple[tuple[SixJointSolver, Indices], ...]:
+        """The same where no joint is locked, for poses at which the first filling is singular; none elsewhere."""
+        return () if self.reduction.locked else tuple(self.refilled_at(np.zeros(0)))
+
+    @cached_property
+    def arms_beside(self) -> tuple[SixJointSolver, ...]:
+        """Solvers of arms a little off this one, where every elimination of its own vanishes; none elsewhere."""
+        vanish = self.whole and not self.spec.info.get("certified", True)
+        return arms_beside(self.reduction.full) if vanish else ()
 
     @cached_property
     def solvers(self) -> Prepared:

@@ -19,6 +19,7 @@ from pieper.kinematics.arrays import Array, Indices, median
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import scaled_jacobian, singular_values
 from pieper.kinematics.pose import inverse, rotation_about, transform
+from pieper.solver.plan.unlike import unlike
 from pieper.tolerances import RANK
 
 TASKS = ("pose", "position", "position+axis")
@@ -26,6 +27,8 @@ TASKS = ("pose", "position", "position+axis")
 MOST_CHOICES = 84
 #: Ways that are made ready where that takes time.
 BEST_WAYS = 6
+#: Where joints that are to be locked stand while others are chosen: of no special kind.
+SOME_VALUE = 0.37
 #: Orientation of the virtual wrist of a position task; generic, so that no ordinary pose makes it singular.
 _GENERIC = transform(rotation_about(np.array([0.48, 0.6, 0.64]), 0.83))
 _X = rotation_about(np.array([0.0, 1.0, 0.0]), np.pi / 2)
@@ -269,13 +272,13 @@ def refilled(way: Reduction) -> tuple[Reduction, ...]:
     Where the arm itself is regular the six joints may be singular all the same, as a virtual joint lies along what the
     arm can do there. Round postures and level hands do that to joints along the tool's own axes, not to these.
     """
-    if not way.fill or way.locked:
+    if not way.fill:
         return ()
-    count, sliding = len(way.fill), int(way.full.prismatic.sum())
+    held = way.with_locked(unlike(len(way.locked), SOME_VALUE)) if way.locked else way.full
+    count, sliding = len(way.fill), int(held.prismatic.sum())
     kinds = (False, True, None) if count + sliding <= 3 else (False, False, None)
     return tuple(
-        replace(way, fill=_filling(way.full, count, True, seed=11 + k, only=p), fill_at=None)
-        for k, p in enumerate(kinds)
+        replace(way, fill=_filling(held, count, True, seed=11 + k, only=p), fill_at=None) for k, p in enumerate(kinds)
     )
 
 
@@ -283,7 +286,7 @@ def _way(chain: Chain, task: str, full: Chain, locked: tuple[int, ...], rank: in
     way = Reduction(chain, task, full, tuple(locked), ())
     if rank == 6:
         return way
-    held = way.with_locked(np.full(len(locked), 0.37))
+    held = way.with_locked(unlike(len(locked), SOME_VALUE))
     return replace(way, fill=_filling(held, 6 - rank, full.n > chain.n))
 
 

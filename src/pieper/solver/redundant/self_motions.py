@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed
 from pieper.solver.arm_rows import full_rows
 from pieper.solver.kernel_rows import Solved
@@ -12,6 +13,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.bounded_motion import bounded_motion
 from pieper.solver.redundant.stops import stops
+from pieper.solver.redundant.surface import as_one
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
@@ -24,6 +26,8 @@ DRAWS, MOST_MOTIONS = 60, 24
 #: Slides without limits make curves without end: how far these are followed; and the points of all curves together at
 #: which tracing ends.
 ENDLESS_STEPS, MOST_SAMPLES = 250, 12000
+#: Lengths of the arm that slides of a seed may be drawn out at the most, where there are seeds with less.
+ENDLESS_FAR = 20.0
 #: Where several coordinates are redundant the solutions form a surface: lines followed on it, and how far.
 MOST_LINES, LINE_STEPS = 8, 60
 #: A self-motion that takes less than this part of the redundant coordinate's range is small.
@@ -33,7 +37,7 @@ CHUNK = 256
 
 
 def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ...]:
-    """Trace every self-motion of a pose of a redundant arm.
+    """Trace every self-motion of a pose of a redundant arm; of several joints to spare all that holds the pose is one.
 
     A sweep over the first redundant coordinate (the others stay) meets every curve that reaches over more than a
     slice's width. A curve that lies between two slices is small in that coordinate; it is met by free approach (see
@@ -55,6 +59,7 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
     # shows the way, and `dimension` says the rest
     endless = bool((full.prismatic & ~np.isfinite(plan.full_limits).all(1)).any())
     curve_steps = ENDLESS_STEPS if endless else MOST_STEPS
+    seeds = _nearest_first(full, seeds, plan.full_limits) if full.prismatic.any() else seeds
     most, steps = (MOST_MOTIONS, curve_steps) if spare == 1 else (MOST_LINES, LINE_STEPS)
     traced = 0
     while len(seeds) and len(motions) < most and traced < MOST_SAMPLES:
@@ -70,7 +75,22 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
                 more = more[~on_curve(other, more)]
             seeds = np.concatenate([seeds, more])
         seeds = seeds[~on_curve(motion, seeds)]
-    return tuple(bounded_motion(motion, ends) for motion in motions)
+    bounded = tuple(bounded_motion(motion, ends) for motion in motions)
+    # all of it is a surface where several joints are to spare, and at some poses of an arm with one
+    return as_one(bounded) if spare > 1 or all(motion.dimension > 1 for motion in bounded) else bounded
+
+
+def _nearest_first(chain: Chain, seeds: Array, limits: Array) -> Array:
+    """Return seeds (m, n) whose slides are drawn in the most first, without those that curves only pass far out.
+
+    Of a curve without end slices of a turning joint meet ever farther points; told one by one as far as each is
+    followed, they would be many curves and leave no room for others. Limits are no end of a curve.
+    """
+    ends = np.abs(limits[chain.prismatic])
+    far = max(ENDLESS_FAR * chain.length, 2 * float(np.where(np.isfinite(ends), ends, 0.0).max()))
+    out = np.abs(seeds[:, chain.prismatic]).max(1)
+    near = out < far
+    return seeds[np.argsort(out, kind="stable")[: int(near.sum()) or len(seeds)]]
 
 
 def _within(plan: Plan, T: Array, motion: SelfMotion) -> Array:

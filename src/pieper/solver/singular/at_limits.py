@@ -10,23 +10,50 @@ from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.joints import short_way
 from pieper.kinematics.newton import missed, newton, null_space, scaled_jacobian
 from pieper.solver.redundant.bounded_motion import BESIDE_CHORD, bounded_motion
+from pieper.solver.redundant.box import box, descended, spread
 from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.trace import trace
 from pieper.solver.singular.traced_motion import TracedMotion
-from pieper.tolerances import CURVE_RANK, LINE_OF_SLIDES, NO_END, ON_CURVE
+from pieper.tolerances import CLOSES, CURVE_RANK, LINE_OF_SLIDES, NO_END, ON_CURVE
 
 #: Halvings of a golden section that place where a joint turns back: its value is exact to rounding then.
 HALVINGS = 30
+#: Where a second direction stays open the solutions form a surface: how far lines on it are followed each way,
+LINE_STEPS = 60
+#: and from how many postures inside the limits a part of it is sought that none of them crosses.
+INSIDE_STARTS = 64
 
 
 def at_limits(motion: SelfMotion) -> SelfMotion:
     """Return a self-motion whose intervals inside the limits are exact: a single point that is left is one of them."""
-    if not isinstance(motion, TracedMotion) or motion.dimension > 1 or len(motion.samples) < 2:
+    if not isinstance(motion, TracedMotion) or len(motion.samples) < 2:
         return motion
     ends = [np.zeros((0, motion.chain.n))]
-    for joint in motion.free:
+    for joint in motion.free if motion.dimension == 1 else ():
         for limit in motion.limits[joint][np.isfinite(motion.limits[joint])]:
             ends += [motion.points_at_joint(joint, float(limit)), _touching(motion, joint, float(limit))]
     return bounded_motion(motion, np.concatenate(ends))
+
+
+def met_inside(motions: list[SelfMotion]) -> list[SelfMotion]:
+    """Return self-motions with the first surface shown by a line inside the limits, where no line followed leads there.
+
+    A surface is shown by a few lines on it, and limits may leave a part that none of them crosses: descents inside the
+    limits meet it.
+    """
+    first = next((i for i, motion in enumerate(motions) if motion.dimension > 1), None)
+    if first is None or any(motion.inside for motion in motions):
+        return motions
+    like = motions[first]
+    chain, T, limits = like.chain, like.T, like.limits
+    low, high = box(chain, limits)
+    starts = spread(chain, limits, INSIDE_STARTS)
+    q, off = descended(chain, starts, np.broadcast_to(T, (len(starts), 4, 4)), low, high)
+    for point in q[off <= CLOSES]:
+        line = trace(chain, point, T, limits, like.names, shown=like.shown, most_steps=LINE_STEPS)
+        if line.dimension > 1 and (shown := at_limits(line)).inside:
+            return [*motions[:first], shown, *motions[first + 1 :]]
+    return motions
 
 
 def _touching(motion: SelfMotion, joint: int, limit: float) -> Array:

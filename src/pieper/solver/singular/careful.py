@@ -27,6 +27,7 @@ from pieper.tolerances import (
     PLAIN_MISS,
     PRECISE_RANK,
     SAME_AFTER_CUT,
+    SAME_ROW,
     SAME_VOUCHED,
     SLOW_RANK,
     SURE_ASIDE,
@@ -44,10 +45,11 @@ def near_rows(plan: Plan, poses: Array) -> Array:
     """Return the joint vectors (m, k) of all solutions of poses (N, 4, 4), the task's virtual joints included.
 
     Virtual joints that must come out as zero may have any value: on a singularity of the six-joint chain they are free.
-    So the arm is solved as it is filled up in other ways too.
+    So the arm is solved as it is filled up in other ways too; and where its own eliminations vanish, arms beside it.
     """
     rows = plan.solver.all_rows(poses)[:, plan.reduction.real]
     others = [solver.all_rows(poses)[:, real] for solver, real in plan.refilled]
+    others += [solver.all_rows(poses) for solver in plan.arms_beside]
     return np.concatenate([rows, *others]) if others else rows
 
 
@@ -177,14 +179,27 @@ def sure_beside(plan: Plan, poses: Array) -> Bools:
 
     Those are poses at small generic side steps that are solved for certain, or the special arm that this one nearly is.
     """
+    if not plan.whole:
+        # of an arm that is filled up as many as its own axes allow, merged ones counted, are all (`settled`)
+        return np.full(len(poses), bool(plan.reduction.fill) and plan.count.most < plan.max_solutions)
     if plan.nearly is not None:
         return np.ones(len(poses), bool)
     return np.array([_certain_beside(plan, T) is not None for T in poses], bool)
 
 
 def _certain_beside(plan: Plan, T: Array) -> Array | None:
-    """Return the solutions (m, 6) of as many poses beside T as vouch, the nearest that are certain; None if too few."""
+    """Return the solutions (m, 6) of as many poses beside T as vouch, the nearest that are certain; None if too few.
+
+    Where the arm's own eliminations vanish no pose of it is certain, and arms beside it are asked for T itself.
+    """
     count, rows = 0, [np.empty((0, 6))]
+    for solver in plan.arms_beside:
+        q, valid, _, flags = solver.many(np.ascontiguousarray(T[None]), 1)
+        if not flags[0] & Flag.UNCERTAIN and count < VOUCHING:
+            rows.append(q[0][valid[0]])
+            count += 1
+    if plan.arms_beside:
+        return np.concatenate(rows) if count == VOUCHING else None
     for size in SURE_ASIDE:
         q, valid, _, flags = plan.solver.many(np.ascontiguousarray(side_steps(plan.chain, T, (size,))), 1)
         certain = np.flatnonzero((flags & Flag.UNCERTAIN) == 0)[: VOUCHING - count]
@@ -200,26 +215,35 @@ def all_there(plan: Plan, T: Array, rows: Array, flag: int) -> bool:
 
     What lies on a self-motion or next to one has neighbours beside T that lead back to it, and it is none of the rows.
     """
-    if not len(rows) or not (flag & Flag.UNCERTAIN or named(plan.family).eliminating):
+    if not (plan.direct or plan.arms_beside) or not len(rows):
         return False
-    return (not flag & Flag.DEGENERATE or regular(plan, rows)) and vouched(plan, T, rows)
+    if not (flag & Flag.UNCERTAIN or named(plan.family).eliminating):
+        return False
+    plain = not flag & Flag.DEGENERATE and not plan.arms_beside
+    return (plain or regular(plan, rows)) and vouched(plan, T, rows)
 
 
 def settled(plan: Plan, T: Array, found: Examined, flag: int) -> int:
     """Return the flag of a pose that was looked at: whether what was found is certainly all there is.
 
     More branches than a six-joint arm can have, merged ones counted, are not believed: so near to an arm on which
-    whole curves cross, a root is none of so many.
+    whole curves cross, a root is none of so many. Where an arm's own axes say how many there are at the most, as many,
+    merged ones counted, are all.
     """
     if not plan.whole:
-        return flag
+        every = not found.self_motions and found.multiplicity.sum() == plan.count.most < plan.max_solutions
+        return flag & ~int(Flag.UNCERTAIN) if every else flag
     if plan.direct and not found.self_motions and found.multiplicity.sum() > plan.max_solutions:
         return flag | int(Flag.UNCERTAIN)
-    doubted = flag & Flag.UNCERTAIN and not vouched(plan, T, found.q, found.self_motions)
+    # Newton's method leads back to a root of more than two branches as near as rounding parts them, and no nearer
+    within = np.where(found.multiplicity > 2, UNFOLDING_WIDEST, SAME_VOUCHED)
+    doubted = flag & Flag.UNCERTAIN and not vouched(plan, T, found.q, found.self_motions, within)
     return flag if doubted else flag & ~int(Flag.UNCERTAIN)
 
 
-def vouched(plan: Plan, T: Array, rows: Array, motions: Sequence[SelfMotion] = ()) -> bool:
+def vouched(
+    plan: Plan, T: Array, rows: Array, motions: Sequence[SelfMotion] = (), within: Array | float = SAME_VOUCHED
+) -> bool:
     """Whether six poses beside T, each solved for certain, have no other solutions than rows (m, n) and self-motions.
 
     A solution of T in a regular posture has one of every pose beside it, near its own; a merged root of some of them.
@@ -228,15 +252,36 @@ def vouched(plan: Plan, T: Array, rows: Array, motions: Sequence[SelfMotion] = (
     """
     if counted_by_special(plan, T, rows):
         return True
-    beside = _certain_beside(plan, T)
-    if beside is None or not len(beside):
+    back = _led_back(plan, T)
+    if back is None:
         return False
+    if len(rows):
+        back = back[(plan.chain.joints.apart(back[:, None], rows[None]) >= within).all(1)]
+    return all(any(motion.contains(q, SAME_VOUCHED) for motion in motions) for q in back)
+
+
+def _led_back(plan: Plan, T: Array) -> Array | None:
+    """Return to what (m, n) of T the solutions of those lead that vouch for it; None where they are too few.
+
+    Poses beside T that have none at all say nothing of T, which may lie at the edge of reach; arms beside that have
+    none all of them do.
+    """
+    beside = _certain_beside(plan, T)
+    if beside is None or not (len(beside) or plan.arms_beside):
+        return None
     full = plan.exact.full
     back = newton(full, beside, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
-    back = back[missed(full, back, T) < HOLDS][:, : plan.n]
-    if len(rows):
-        back = back[plan.chain.joints.apart(back[:, None], rows[None]).min(1) >= SAME_VOUCHED]
-    return all(any(motion.contains(q, SAME_VOUCHED) for motion in motions) for q in back)
+    return back[missed(full, back, T) < HOLDS][:, : plan.n]
+
+
+def with_arms_beside(plan: Plan, T: Array, rows: Array) -> Array:
+    """Return rows (m, n) of a pose with those that arms beside this one lead to, where its own eliminations vanish."""
+    back = _led_back(plan, T) if plan.arms_beside else None
+    if back is None or not len(back):
+        return rows
+    every = np.concatenate([rows, back])
+    every = plan.chain.joints.wrapped(every[plan.chain.joints.distinct(every, SAME_ROW)])
+    return every[np.lexsort(np.round(every, 6).T[::-1])]
 
 
 def counted_by_special(plan: Plan, T: Array, rows: Array) -> bool:

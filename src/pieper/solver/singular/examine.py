@@ -19,7 +19,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space, singular_values
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.singular import near_curve
-from pieper.solver.singular.at_limits import at_limits, drawn_in, leads_away, way_of_slides
+from pieper.solver.singular.at_limits import LINE_STEPS, at_limits, drawn_in, leads_away, met_inside, way_of_slides
 from pieper.solver.singular.examined import Examined, told
 from pieper.solver.singular.line_of_slides import SlideLine
 from pieper.solver.singular.merged_roots import distinct_roots, into_limits, merged_root
@@ -55,8 +55,8 @@ from pieper.tolerances import (
 APPROACHES = 6
 #: Directions tried where curves cross, and the most curves followed at one pose.
 FAN, MOST_MOTIONS = 12, 24
-#: Where a second direction stays open the solutions form a surface: lines followed on it, and how far each way.
-MOST_LINES, LINE_STEPS = 4, 60
+#: Where a second direction stays open the solutions form a surface: lines followed on it.
+MOST_LINES = 4
 #: How far along the null direction a point is asked whether the pose can be held (rad; per length).
 PROBE = 0.05
 #: Newton steps at merged roots, where each only halves what is left.
@@ -142,7 +142,7 @@ def examine(
         doubles = _exact_ones(curves, doubles, most - len(isolated))
     pairs = [branches[q.tobytes()] for q in doubles]
     doubles = [into_limits(chain, q, T, limits) for q in doubles]
-    return told(chain, isolated, doubles, pairs, [at_limits(motion) for motion in curves.closed])
+    return told(chain, isolated, doubles, pairs, met_inside([at_limits(motion) for motion in curves.closed]))
 
 
 def _exact_ones(curves: _Curves, doubles: list[Array], room: int) -> list[Array]:

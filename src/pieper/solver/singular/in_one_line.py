@@ -11,7 +11,9 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
-from pieper.solver.singular.self_motion import FREE, SelfMotion, said
+from pieper.solver.singular.relation import related
+from pieper.solver.singular.self_motion import FREE
+from pieper.solver.singular.straight import StraightMotion
 from pieper.tolerances import CURVE_STEP, HALF_TURN_EDGE, LIMIT_SLACK, NEARER_BY
 
 #: Whole turns of a joint without limits that are tried to either side of the nearest.
@@ -19,7 +21,7 @@ TURNS = 2
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class LineMotion(SelfMotion):
+class LineMotion(StraightMotion):
     """Joints i and j turn against each other, q_i + sense q_j constant.
 
     Attributes:
@@ -177,14 +179,9 @@ class LineMotion(SelfMotion):
         gap[:, [i, j]] = 0.0
         return np.sqrt(np.sum(gap * gap, 1) + off * off / 2)
 
-    def _contains(self, q: Array, tolerance: float) -> bool:
-        return float(self.distances(q[None])[0]) <= tolerance
-
     @cached_property
     def relation(self) -> str:
         """The relation in words, such as 'joint_4 + joint_6 = 30 deg'."""
         if len(self.free) != 2:
             return ""
-        i, j = self.pair
-        total = said(float(np.degrees(self.total)), "deg")
-        return f"{self.names[i]} {'+' if self.sense > 0 else '-'} {self.names[j]} = {total}"
+        return related(self.names, self.pair, self.sense, self.total, slides=False)

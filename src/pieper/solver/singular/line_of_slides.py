@@ -10,12 +10,14 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import newton
-from pieper.solver.singular.self_motion import FREE, SelfMotion, said
+from pieper.solver.singular.relation import related
+from pieper.solver.singular.self_motion import FREE
+from pieper.solver.singular.straight import StraightMotion
 from pieper.tolerances import CURVE_RANK, JOINT_TURNS, LIMIT_SLACK, SLIDES_ALIKE, SLIDES_SHOWN, TINY
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class SlideLine(SelfMotion):
+class SlideLine(StraightMotion):
     """Slides move along directions that depend on each other, by ways in fixed proportion; no joint turns.
 
     Attributes:
@@ -133,9 +135,6 @@ class SlideLine(SelfMotion):
         gap = self.gaps(q, self.through)
         return np.linalg.norm(gap - np.multiply.outer(gap @ self.way, self.way), axis=-1)
 
-    def _contains(self, q: Array, tolerance: float) -> bool:
-        return float(self.distances(q[None])[0]) <= tolerance
-
     @cached_property
     def relation(self) -> str:
         """The relation in words, such as 'joint_1 - joint_3 = 120 mm', where two slides move alike."""
@@ -145,5 +144,5 @@ class SlideLine(SelfMotion):
         sign = -np.sign(self.way[i] * self.way[j])
         if abs(abs(self.way[i]) - abs(self.way[j])) > SLIDES_ALIKE:
             return ""
-        total = said(1e3 * float(self.through[i] + sign * self.through[j]), "mm")
-        return f"{self.names[i]} {'+' if sign > 0 else '-'} {self.names[j]} = {total}"
+        total = float(self.through[i] + sign * self.through[j])
+        return related(self.names, (i, j), float(sign), total, slides=True)

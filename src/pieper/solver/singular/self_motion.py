@@ -16,6 +16,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import checked_joint_vector, checked_weights
 from pieper.kinematics.joints import TURN, inside, short_way
 from pieper.kinematics.newton import missed, newton, null_space
+from pieper.solver.singular.relation import related
 from pieper.tolerances import (
     CLOSED_TURN,
     CLOSES,
@@ -25,7 +26,6 @@ from pieper.tolerances import (
     JOINT_TURNS,
     NO_LENGTH,
     ONE_OF_MANY,
-    SAID_AS_ZERO,
     SAME_VOUCHED,
     SLIDE_SHORTEST,
     TINY,
@@ -370,17 +370,11 @@ class SelfMotion:
         if len(self.free) != 2 or self.chain.prismatic[list(self.free)].any():
             return ""
         i, j = self.free
-        for sign, symbol in ((1, "+"), (-1, "-")):
+        for sign in (1.0, -1.0):
             total = self.samples[:, i] + sign * self.samples[:, j]
             if np.ptp(total) < CLOSED_TURN:
-                value = float(np.degrees(short_way(total[0])))
-                return f"{self.names[i]} {symbol} {self.names[j]} = {said(value, 'deg')}"
+                return related(self.names, (i, j), sign, float(short_way(total[0])), slides=False)
         return ""
-
-
-def said(value: float, unit: str) -> str:
-    """Say a number of degrees or millimetres to six digits, rounding as 0."""
-    return f"{0.0 if abs(value) < SAID_AS_ZERO else value:.6g} {unit}"
 
 
 #: Steps that bring a curve's parameter to the point beside a posture.

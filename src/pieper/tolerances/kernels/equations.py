@@ -80,3 +80,5 @@ PLANE_SHORT = 1e-9
 PLANE_LANES_PARALLEL = 1e-6
 #: and a slide along the plane that a pose leaves so little room.
 PLANE_UNCLEAR = 1e-4
+#: In lanes a plane's normal that comes out this far from where it belongs is its mirror image, no rounding.
+PLANE_MIRRORED = 1e-6

@@ -36,6 +36,9 @@ CLEARLY_REGULAR = 1.5e-7
 NEWTON_DONE = 1e-15
 #: Below this they end as well once what is missed has not halved for three steps; above it they go on.
 NEWTON_STALLS = 1e-13
+#: A shorter step (rad; lengths) moves rounding alone, so that nothing more is to come: what is still missed then, the
+#: arm cannot take from there.
+NEWTON_STILL = 1e-14
 #: Columns whose cosine is no more than this are at right angles (and two angles, rad, are one): rounding of their sums.
 ORTHOGONAL = 1e-15
 #: A row this near a self-motion is a point of it (rad; per length).
