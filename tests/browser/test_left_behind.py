@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from .conftest import Server
+
 #: A panel, what is pressed to have something in it, a field of it, and what changes its rows.
 FIELDS = {
     "joints": ("Move", [], "q-1", lambda b: b.fill("q-2", 50)),
@@ -66,9 +68,12 @@ def test_a_step_that_cannot_be_read_stays_open_and_nothing_is_run_or_written(ben
         assert field.input_value() == "x" and page.evaluate("document.activeElement.dataset.testid") == "step-2-seconds"
     bench.button("Move step 2 up")
     assert bench.value("workbench.program.map((s) => s.kind)") == ["joint", "wait"]
-    for press, end in (("run-program", "Nothing was computed."), ("save-program", "Nothing was written.")):
+    for press, line, end in (
+        ("run-program", "program-verdict", "Nothing was computed."),
+        ("save-program", "save-verdict", "Nothing was written."),
+    ):
         page.get_by_test_id(press).click(delay=200)
-        said = bench.text("program-verdict")
+        said = bench.text(line)
         assert said.startswith("Step 2, seconds cannot be read") and said.endswith(end)
     field.press("Escape")
     page.get_by_test_id("step-1").click()
@@ -212,3 +217,112 @@ def test_a_joint_that_cannot_be_read_stays_while_the_table_is_edited(bench):
     bench.fill("dh-2-a", 215)
     bench.tab("Move")
     assert page.get_by_test_id("q-1").input_value() == "5..a"
+
+
+@pytest.mark.parametrize("change", ["limit", "step", "sequence", "path", "seconds"])
+def test_a_motion_goes_once_what_it_was_planned_for_is_changed(bench, change):
+    page = bench.page
+    if change in ("limit", "step"):
+        bench.joint_steps([10, 70, -140, 25, 50, 30], [20, 60, -150, 10, 40, 25])
+        page.get_by_test_id("run-program").click()
+    elif change == "sequence":
+        bench.sequence(30, 2)
+    else:
+        bench.tab("Path")
+        bench.plan((350, 0, 400, 0, 0, 0), (200, 100, 500, 0, 0, 0))
+    bench.until("workbench.motion")
+    chart = page.get_by_test_id("chart")
+    assert chart.is_visible()
+    {
+        "limit": lambda: bench.fill("limit-turn_speed", 10),
+        "step": lambda: bench.button("Remove step 2"),
+        "sequence": lambda: bench.fill("seq-1-seconds", 9),
+        "path": lambda: bench.fill("path-to-1", 50),
+        "seconds": lambda: bench.fill("path-seconds", 9),
+    }[change]()
+    bench.until("!workbench.motion")
+    assert chart.is_hidden()
+
+
+def test_presses_and_entries_are_steps_of_their_own_however_fast(bench):
+    page = bench.page
+    for v in (10, 20, 30):
+        bench.fill("q-1", v)
+    bench.button("Undo")
+    assert float(page.get_by_test_id("q-1").input_value()) == 20
+    bench.tab("Program")
+    for kind in ("wait", "wait", "gripper", "output"):
+        page.get_by_test_id(f"step-add-{kind}").click()
+    kinds = "workbench.program.map((s) => s.kind)"
+    bench.button("Remove step 1")
+    bench.button("Remove step 1")
+    assert bench.value(kinds) == ["gripper", "output"]
+    bench.button("Undo")
+    assert bench.value(kinds) == ["wait", "gripper", "output"]
+    bench.button("Undo")
+    bench.button("Undo")
+    bench.button("Undo")
+    assert bench.value(kinds) == ["wait", "wait"]
+    bench.tab("Sequence")
+    bench.button("+ Present posture")
+    bench.button("+ All named postures")
+    count = "workbench.said.sequence.postures.length"
+    assert bench.value(count) > 2
+    bench.button("Undo")
+    assert bench.value(count) == 1, "all of one press"
+
+
+def test_a_script_is_taken_only_of_the_screen_as_it_is(bench):
+    page = bench.page
+    bench.tab("Share")
+    save, code = page.get_by_test_id("save-python"), page.get_by_test_id("python")
+    bench.until("!document.querySelector('[data-testid=save-python]').disabled")
+    assert "denso-vp6242" in code.input_value()
+    page.get_by_test_id("catalog").select_option("abb-irb140")
+    seen = """() => new Promise((done) => {
+      const of = (id) => document.querySelector(`[data-testid=${id}]`);
+      const code = of("python"), save = of("save-python");
+      const look = () => save.disabled ? requestAnimationFrame(look) : done([code.value, workbench.table.name]);
+      const wait = () => workbench.table.name === 'abb-irb140' ? look() : requestAnimationFrame(wait);
+      wait(); })"""
+    text, name = page.evaluate(seen)
+    assert f"load('{name}')" in text.replace('"', "'")
+    # undone while the panel is open: nothing of the screen before can be taken, from that moment on
+    page.get_by_role("button", name="Undo", exact=True).evaluate("e => e.click()")
+    before = page.evaluate("() => [document.querySelector('[data-testid=python]').value, workbench.table.name]")
+    assert before[0] == "" or before[1] in before[0]
+    bench.until("!document.querySelector('[data-testid=save-python]').disabled")
+    assert "denso-vp6242" in code.input_value() and save.is_enabled()
+
+
+def test_what_a_server_that_was_away_left_said_is_put_right_when_it_is_back(people):
+    served = Server()
+    bench = people(url=served.url).open()
+    bench.expected_errors = AwayErrors()
+    page = bench.page
+    page.get_by_test_id("catalog").wait_for()
+    bench.tab("Program")
+    page.get_by_test_id("step-add-wait").click()
+    served.stop()
+    bench.until("document.body.innerText.includes('reconnecting')")
+    page.get_by_test_id("run-program").click()
+    assert "the server is away" in bench.text("program-verdict")
+    bench.tab("Analysis")
+    page.get_by_test_id("reach-start").click()
+    assert "the server is away" in bench.text("reach-note")
+    served.start()
+    bench.until("!document.body.innerText.includes('reconnecting')")
+    page.get_by_test_id("reach-note").get_by_text("this was not answered. Ask again.").wait_for()
+    assert "is back" in bench.text("reach-note")
+    bench.tab("Program")
+    assert "is back" in bench.text("program-verdict")
+    page.get_by_test_id("run-program").click()
+    bench.until("!document.querySelector('[data-testid=program-verdict]').textContent.includes('is back')")
+    served.stop()
+
+
+class AwayErrors:
+    """What a browser writes into its console while nobody answers."""
+
+    def __contains__(self, text: str) -> bool:
+        return "WebSocket" in text or "ERR_CONNECTION" in text

@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
+import pieper
 from tests.browser.conftest import Workbench
 
 OUTER = "(() => { const r = document.querySelector('%s').getBoundingClientRect(); return [r.right, r.bottom]; })()"
@@ -71,6 +72,27 @@ def test_a_map_of_voxels_is_drawn_cut_and_coloured(bench):
     assert bench.value("workbench.voxels") == whole
     bench.arm("abb-irb120")
     assert bench.value("workbench.voxels") == 0, "another arm reaches elsewhere"
+
+
+def test_manipulability_is_the_same_measure_live_and_in_the_library_and_scales_are_in_the_units_of_the_page(bench):
+    page = bench.page
+    bench.tab("Analysis")
+    for name in ("denso-vp6242", "three-r", "franka-panda"):
+        bench.arm(name)
+        want = float(pieper.load(name).aspects(bench.value("workbench.q")).manipulability)
+        bench.until(
+            "w => Math.abs(Number(document.querySelector('[data-testid=fact-manipulability]').textContent) - w) < 6e-5",
+            want,
+        )
+    bench.arm("denso-vp6242")
+    page.get_by_test_id("reach-size").select_option("5000")
+    page.get_by_test_id("reach-colour").select_option("height")
+    page.get_by_test_id("reach-start").click()
+    page.get_by_text("coloured by height of the tool").wait_for()
+    ends = page.locator(".legend-scale").inner_text().replace("\n", " ")
+    assert ends.startswith("≤") and "≥" in ends and ends.endswith("mm")
+    page.get_by_test_id("unit-length").get_by_role("button", name="m", exact=True).click()
+    assert page.locator(".legend-scale").inner_text().endswith(" m")
 
 
 @pytest.mark.parametrize("size", ["1", "1.5"])

@@ -85,8 +85,11 @@ def test_seed_001_picks_and_places_from_typed_poses_and_back(bench, servo_arm):
     scrub.press("End")
     assert np.allclose(bench.value("workbench.q"), q[-1])
     bench.page.get_by_test_id("save-program").click()
-    bench.page.get_by_test_id("program-verdict").get_by_text("another maker").wait_for()
+    refusal = bench.page.get_by_test_id("save-verdict").get_by_text("another maker")
+    refusal.wait_for()
+    assert bench.text("program-verdict"), "what was said of the run stays"
     bench.page.get_by_test_id("dialect").select_option("csv")
+    assert refusal.count() == 0, "said of another language"
     with bench.page.expect_download() as saved:
         bench.page.get_by_test_id("save-program").click()
     path = saved.value.path().rename(saved.value.path().with_suffix(".csv"))

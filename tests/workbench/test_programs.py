@@ -6,9 +6,11 @@ import threading
 from typing import Any
 
 import numpy as np
+import pytest
 
 import pieper
 from pieper.workbench import programs, snippet
+from pieper.workbench.messages import Refused
 
 ARM = pieper.load("denso-vp6242")
 START = np.radians([20, 60, -150, 10, 40, 25])
@@ -61,3 +63,16 @@ def test_a_call_of_what_comes_after_it_is_where_the_program_ends():
     assert said["duration"] > 0
     script = "\n".join(snippet.program_lines(ARM, program(joints(THERE), call, joints(START)), around=False))
     assert "# step 2 cannot be done" in script and "# program.move_j" in script
+
+
+def test_a_file_that_is_refused_names_the_step_and_not_the_move():
+    arm = pieper.load("abb-irb140")
+    start = np.radians([10, 20, 10, 5, 40, 15])
+    T = arm.fk(start)
+    through = [(pieper.pose(0.01 * k, 0.01 * k * k, 0) @ T).ravel().tolist() for k in (1, 2, 3)]
+    wait, grip = {"kind": "wait", "seconds": 1.0}, {"kind": "gripper", "value": 1.0}
+    spline = {"kind": "spline", "through": through, "T": through[-1]}
+    message = program(wait, grip, spline) | {"start": start.tolist(), "dialect": "rapid", "name": "program"}
+    with pytest.raises(Refused, match="^Step 3 is a spline, which rapid"):
+        programs.write(arm, message)
+    assert programs.write(arm, message | {"dialect": "csv"})["text"]

@@ -57,3 +57,16 @@ def test_too_many_voxels_and_none_are_refused_and_a_stop_is_heard():
     stop.set()
     with pytest.raises(Stopped):
         reach.voxels(arm, {"step": STEP}, lambda _: None, stop)
+
+
+def test_a_cloud_is_coloured_by_the_same_manipulability_as_the_map():
+    for name in ("denso-vp6242", "three-r", "franka-panda"):
+        arm = pieper.load(name)
+        pieces: list[dict] = []
+        message = {"count": 200, "colour": "manipulability", "seed": 5}
+        reach.cloud(arm, message, pieces.append, threading.Event())
+        sent = np.frombuffer(base64.b64decode(pieces[0]["points"]), "<f4").reshape(-1, 4)
+        lower, upper = reach._ranges(arm)
+        q = np.random.default_rng(5).uniform(lower, upper, (200, arm.n))
+        assert np.allclose(sent[:, :3], arm.fk(q)[:, :3, 3], atol=1e-6)
+        assert np.allclose(sent[:, 3], arm.aspects(q).manipulability, rtol=1e-5, atol=1e-9)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 import threading
 from collections.abc import Callable
@@ -19,7 +20,8 @@ from pieper.workbench.messages import Refused, number, optional, pose, vector, v
 MAX_STEPS = 200
 #: Samples of a motion that are sent, at most.
 MAX_SAMPLES = 4_000
-KINDS = ("joint", "line", "circle", "spline", "wait", "gripper", "output", "frame", "call")
+MOVES = ("joint", "line", "circle", "spline")
+KINDS = (*MOVES, "wait", "gripper", "output", "frame", "call")
 #: Poses of one spline, and how often a part of a program is done again, at most.
 MAX_THROUGH, MAX_TIMES = 100, 50
 #: Steps that are done, those called again counted each time.
@@ -214,6 +216,18 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
     }
 
 
+def _by_steps(text: str, built: Built) -> str:
+    """Return a sentence about moves, counted from 1, with the numbers of the page's steps."""
+    moves = [turn.name for turn in built.done if turn.step["kind"] in MOVES]
+
+    def name(found: re.Match[str]) -> str:
+        k = int(found[1])
+        return moves[k - 1] if 1 <= k <= len(moves) else found[0]
+
+    said = re.sub(r"\bmove (\d+)\b", name, text)
+    return said[:1].upper() + said[1:] if said != text else text
+
+
 def write(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     """Return a program as the text of a file for a maker's controller."""
     dialect = word(message.get("dialect"), "dialect", tuple(DIALECTS))
@@ -223,5 +237,8 @@ def write(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
         raise Refused(f"{built.failed['name'].capitalize()} cannot be written: {built.failed['text']}")
     with tempfile.TemporaryDirectory(prefix="pieper-") as folder:
         path = Path(folder) / f"{name}{DIALECTS[dialect]}"
-        built.program.write(path, dialect=dialect, name=name)
+        try:
+            built.program.write(path, dialect=dialect, name=name)
+        except pieper.InputError as error:
+            raise Refused(_by_steps(str(error), built)) from error
         return {"text": path.read_text(encoding="utf-8"), "name": path.name}

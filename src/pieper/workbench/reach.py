@@ -71,11 +71,11 @@ def _values(
     if colour == "limits":
         span = np.where(upper > lower, upper - lower, 1.0)
         return 2 * np.min(np.minimum(q - lower, upper - q) / span, axis=1)
+    if colour == "manipulability":
+        return arm.aspects(q).manipulability
     J = arm.jacobian(q).copy()
     J[:, :3] /= max(sum(abs(r.a) + abs(r.d) for r in arm.description.rows), NO_DIRECTION)
     values = np.linalg.svd(J, compute_uv=False)
-    if colour == "manipulability":
-        return np.prod(values, axis=1)
     return values[:, -1] / np.maximum(values[:, 0], TINY)
 
 

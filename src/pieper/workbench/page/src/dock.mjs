@@ -154,6 +154,8 @@ export function show(next) {
   if (next.q.length) go(0);
   requestAnimationFrame(() => keepInView());
 }
+/** What a motion was planned for was changed: it goes, unless another one is shown by now. */
+export const drop = (planned) => planned && planned === motion && show(null);
 export const current = () => motion;
 /** Which posture of the motion is shown. */
 export const at = () => index;

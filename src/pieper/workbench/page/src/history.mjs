@@ -54,7 +54,8 @@ export function asOne(label, f) {
 }
 /** A person did something: `key` names what the hand is on, `open` says that it stays on it until told otherwise. */
 function did(said) {
-  const { label, key = label, open = false } = whole ?? said;
+  // what names no thing that a hand is on (a button) is a step each time
+  const { label, key = Symbol(label), open = false } = whole ? { ...whole, key: whole } : said;
   const now = performance.now();
   const same = key === last.key && (last.open || now - last.at < ONE_MOVE);
   if (!same && present) {

@@ -113,15 +113,15 @@ function symmetricEigenvalues(M) {
 
 /**
  * Singular values of the Jacobian, ascending, its linear rows divided by the arm's length so that metres and radians
- * can be compared. An arm of n < 6 joints has n of them.
+ * can be compared; with `length` 1 they are as they come. Of an arm of n joints, and of the
+ * rows that its task moves, there are as many as there are of the fewer.
  */
-export function singularValues(table, q, F) {
+export function singularValues(table, q, F, length = reach(table), rows = 6) {
   const J = jacobian(table, q, F),
-    L = reach(table),
     n = table.joints.length;
-  const rowsOf = J.map((r, i) => r.map((x) => (i < 3 ? x / L : x)));
+  const rowsOf = J.slice(0, rows).map((r, i) => r.map((x) => (i < 3 ? x / length : x)));
   const cols = Array.from({ length: n }, (_, i) => rowsOf.map((r) => r[i]));
-  const side = n < 6 ? cols : rowsOf;
+  const side = n < rows ? cols : rowsOf;
   const gram = side.map((u) => side.map((v) => u.reduce((sum, x, k) => sum + x * v[k], 0)));
   return symmetricEigenvalues(gram).map((e) => Math.sqrt(Math.max(e, 0)));
 }

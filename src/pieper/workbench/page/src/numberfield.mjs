@@ -1,6 +1,7 @@
 // A text field for one number: expressions, units, arrow-key steps, a mark and a reason when it cannot be read.
 import { h, say } from './dom.mjs';
 import { unlessPressed } from './press.mjs';
+import { tell } from './store.mjs';
 import { read } from './expression.mjs';
 import { plain, units } from './units.mjs';
 
@@ -73,12 +74,9 @@ export function numberField({ label, kind = 'plain', input, commit, empty, testi
   });
   el.addEventListener('change', () => {
     typing = false;
-    // every key was heard already: what came from elsewhere since goes before it
-    if (input && !commit && (behind || el.value === shown)) {
-      write();
-      return;
-    }
-    hear(commit ?? input);
+    if (commit || !input) hear(commit);
+    else if (behind) write(); // every key was heard already: what came from elsewhere since goes before it
+    tell('let-go');
   });
   let came = ''; // what stood here, and could be read, when the person came
   const keep = () => {

@@ -7,6 +7,9 @@ import { showEllipsoid, ellipsoidShown } from '../scene/ellipsoid.mjs';
 import { kindOf } from './joints.mjs';
 import { reachControls } from './reach.mjs';
 
+/** Rows of the Jacobian that the arm's own task is about. */
+const moved = () => (state.plan?.task === 'position' ? 3 : 6);
+
 export const analysis = {
   id: 'analysis',
   title: 'Analysis',
@@ -16,10 +19,14 @@ export const analysis = {
       [
         'manipulability',
         'Manipulability',
-        'the product of the singular values of the Jacobian, lengths divided by the arm’s',
+        '√det(J Jᵀ) of the rows that the arm’s task moves (JᵀJ where joints are fewer); in metres and radians, as in the cloud and the map',
       ],
-      ['condition', 'Condition number', 'the largest singular value over the smallest; 1 is best'],
-      ['least', 'Smallest singular value', '0 at a singularity'],
+      [
+        'condition',
+        'Condition number',
+        'the largest singular value over the smallest, lengths divided by the arm’s; 1 is best',
+      ],
+      ['least', 'Smallest singular value', '0 at a singularity; lengths divided by the arm’s'],
     ];
     const out = {};
     for (const [key, name, title] of names)
@@ -86,7 +93,10 @@ export const analysis = {
       const s = singularValues(state.table, state.q, state.frames),
         least = s[0],
         most = s[s.length - 1];
-      setText(out.manipulability, engineering(s.reduce((p, v) => p * v, 1)));
+      setText(
+        out.manipulability,
+        engineering(singularValues(state.table, state.q, state.frames, 1, moved()).reduce((p, v) => p * v, 1)),
+      );
       setText(out.condition, least > 1e-9 ? fixed(most / least, 1) : '∞');
       setText(out.least, engineering(least));
       facts.dataset.tone = least < 0.02 ? 'wrong' : 'good';
@@ -106,7 +116,7 @@ export const analysis = {
       });
     });
     on('table', rebuild);
-    on(['q', 'units', 'panel'], update);
+    on(['q', 'units', 'panel', 'plan'], update);
     rebuild();
   },
 };

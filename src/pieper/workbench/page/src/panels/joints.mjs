@@ -41,6 +41,7 @@ function row(i) {
     stop();
     setJoint(i, Number(slider.value));
   });
+  slider.addEventListener('change', () => tell('let-go'));
   slider.addEventListener('keydown', (e) => {
     const k = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[e.key];
     const end = { Home: lo, End: hi }[e.key];

@@ -1,6 +1,7 @@
 // A button that asks the library something long, and the sentence below it that says what came of it.
 import { h, setText, unreadable } from '../dom.mjs';
 import { on } from '../store.mjs';
+import { Offline } from '../link.mjs';
 
 /** What tells that something was changed which a question may be about. */
 const ASKED_WITH = [
@@ -14,6 +15,9 @@ const ASKED_WITH = [
   'sequence-loaded',
   'world',
 ];
+
+/** Said where an answer did not come because the server was away, once it is there again. */
+export const BACK = 'The server was away and is back; this was not answered. Ask again.';
 
 /** A sentence with a tone (good, note, wrong), read aloud when it changes; empty text hides it. */
 export function verdictLine(testid) {
@@ -57,9 +61,11 @@ export async function answerTo({ roots, about }, ask) {
  */
 export function longQuestion({ text, working, testid, verdict, roots, about, ask, show, forget, open = () => true }) {
   const el = h('button', { type: 'button', class: 'primary', text, 'data-testid': testid });
-  let answered = null; // what the shown answer is about
+  let answered = null, // what the shown answer is about
+    away = false; // whether it was the server being away that was said
   el.ask = async (...said) => {
     answered = null;
+    away = false;
     el.disabled = true;
     setText(el, working);
     try {
@@ -68,6 +74,7 @@ export function longQuestion({ text, working, testid, verdict, roots, about, ask
       answered = about();
       show(got);
     } catch (error) {
+      away = error instanceof Offline;
       verdict.say(error.message);
     } finally {
       setText(el, text);
@@ -84,6 +91,10 @@ export function longQuestion({ text, working, testid, verdict, roots, about, ask
     verdict.say('');
     forget?.();
   };
+  on('online', (yes) => {
+    if (yes && away) verdict.say(BACK, 'note');
+    away = false;
+  });
   // an action is told before it is done
   on(ASKED_WITH, () => queueMicrotask(check));
   return el;

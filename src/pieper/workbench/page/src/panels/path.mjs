@@ -21,6 +21,7 @@ export const path = {
   wide: true,
   build(root, panel) {
     const P = state.path;
+    let shown = null; // the motion that the dock has of it
     const ends = lineEnds('path', () => preview());
     const length = h('span', { class: 'hint' });
     const count = numberField({
@@ -39,6 +40,7 @@ export const path = {
       input: (v) => {
         tell('did', { label: 'set the seconds of the path', key: 'path-seconds' });
         P.seconds = v;
+        dock.drop(shown);
       },
     });
     const same = button('Keep the orientation of “From”', { class: 'quiet' }, () => {
@@ -64,7 +66,10 @@ export const path = {
       about: () => [armNumber(), P.from, P.to, P.n],
       ask: (start) => askArm('follow', lineFrom(start ?? state.q)),
       show: report,
-      forget: () => replace(branches),
+      forget: () => {
+        dock.drop(shown);
+        replace(branches);
+      },
     });
     const branches = h('div', { class: 'branches', 'data-testid': 'branches' });
     root.append(
@@ -137,18 +142,17 @@ export const path = {
       const n = track.path.length,
         xs = track.q.map((_, i) => i + 1),
         t = track.q.map((_, i) => (n > 1 ? (P.seconds * i) / (n - 1) : 0));
-      dock.show(
-        motionOf({
-          table: state.table,
-          q: track.q,
-          xs,
-          xName: 'point',
-          xEnd: n,
-          seconds: t,
-          title: `${state.table.name}: straight line, ${track.q.length} of ${n} points`,
-          events: track.events.map((e) => ({ ...e, x: 1 + e.s * (n - 1), short: e.cause })),
-        }),
-      );
+      shown = motionOf({
+        table: state.table,
+        q: track.q,
+        xs,
+        xName: 'point',
+        xEnd: n,
+        seconds: t,
+        title: `${state.table.name}: straight line, ${track.q.length} of ${n} points`,
+        events: track.events.map((e) => ({ ...e, x: 1 + e.s * (n - 1), short: e.cause })),
+      });
+      dock.show(shown);
     }
     function cure(track) {
       verdict.say(`${track.explain}\nLooking for what would let it pass …`, 'wrong');

@@ -49,7 +49,7 @@ export function poseEditor(title, id, get, take, key = id) {
         key: `${key}-${i}`,
         input: heard,
         commit: (v, how) => {
-          heard(v, how);
+          if (how.text !== p.text) heard(v, how);
           tell('let-go');
         },
       });

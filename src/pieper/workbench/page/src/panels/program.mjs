@@ -36,9 +36,11 @@ export const program = {
   build(root) {
     let chosen = -1,
       failed = null,
+      shown = null, // the motion that the dock has of it
       dragged = -1;
     const list = h('ol', { class: 'steps', 'data-testid': 'program', 'aria-label': 'Steps of the program' });
-    const verdict = verdictLine('program-verdict');
+    const verdict = verdictLine('program-verdict'),
+      written = verdictLine('save-verdict');
     const binds = h(
       'details',
       { class: 'fold', hidden: true },
@@ -58,6 +60,7 @@ export const program = {
       ask: () => askArm('program', { ...programMessage(), world: state.world }),
       show: report,
       forget: () => {
+        dock.drop(shown);
         binds.hidden = true;
       },
     });
@@ -147,12 +150,14 @@ export const program = {
             dialect,
             (v) => {
               dialect = v;
+              written.say('');
             },
             { 'data-testid': 'dialect' },
           ),
           button('Save the program', { 'data-testid': 'save-program' }, save),
         ),
       ),
+      written,
       verdict,
       binds,
     );
@@ -339,38 +344,39 @@ export const program = {
         short: kind === 'gripper' ? (value > 0.5 ? 'close' : 'open') : kind,
         stop: false,
       }));
-      dock.show(
-        motionOf({
-          table: state.table,
-          q: m.q,
-          xs: m.t,
-          xName: 'time',
-          seconds: m.t,
-          dq: m.dq,
-          ddq: m.ddq,
-          events,
-          title: `${state.table.name}: program, ${m.duration.toFixed(2)} s`,
-          happens: m.events,
-          tight: m.tight,
-          limits: programMessage().limits,
-        }),
-      );
+      shown = motionOf({
+        table: state.table,
+        q: m.q,
+        xs: m.t,
+        xName: 'time',
+        seconds: m.t,
+        dq: m.dq,
+        ddq: m.ddq,
+        events,
+        title: `${state.table.name}: program, ${m.duration.toFixed(2)} s`,
+        happens: m.events,
+        tight: m.tight,
+        limits: programMessage().limits,
+      });
+      dock.show(shown);
     }
     async function save() {
       const bad = unreadable(root, armSection());
       if (bad) {
-        verdict.say(`${bad} Nothing was written.`);
+        written.say(`${bad} Nothing was written.`);
         return;
       }
+      written.say('');
       try {
         const name = 'program';
         const { text, name: file } = await askArm('program_file', { ...programMessage(), dialect, name });
         download(file, text);
       } catch (error) {
-        verdict.say(error.message);
+        written.say(error.message);
       }
     }
     on(['program', 'units', 'table'], (what) => {
+      written.say('');
       if (what !== 'limits') {
         failed = null;
         rebuild(what);

@@ -2,7 +2,8 @@
 import { button, choice, h, replace, select, setText } from '../dom.mjs';
 import { state, on } from '../store.mjs';
 import { units, showUnit, engineering } from '../units.mjs';
-import { ask } from '../link.mjs';
+import { ask, Offline } from '../link.mjs';
+import { BACK } from './long_question.mjs';
 import { askArm } from '../library.mjs';
 import { reach } from '../kinematics.mjs';
 import { showBeside, fitArm } from '../scene/arm.mjs';
@@ -25,7 +26,7 @@ const kinds = {
     scene: cloud,
     colours: [
       ['manipulability', 'manipulability'],
-      ['height', 'height of the tool'],
+      ['height', 'height of the tool', (v) => showUnit(v, 'length')],
       ['condition', 'inverse condition number'],
       ['limits', 'distance to the limits'],
     ],
@@ -39,14 +40,13 @@ const kinds = {
     piece: (m) => cloud.take(m.points),
     progress: (m) => `${counted(m.done)} of ${counted(m.of)} points`,
     stopped: () => `Cancelled after ${counted(cloud.size())} points.`,
-    ended: (end, colour) =>
-      `${counted(end.done)} random postures inside the limits, coloured by ${colour}${colour.startsWith('height') ? ' (m)' : ''}.`,
+    ended: (end, colour) => `${counted(end.done)} random postures inside the limits, coloured by ${colour}.`,
   },
   voxels: {
     scene: voxels,
     colours: [
       ['fraction', 'share of orientations'],
-      ['count', 'number of solutions'],
+      ['count', 'number of solutions in all orientations', (v) => counted(Math.round(v))],
       ['manipulability', 'best manipulability'],
       ['margin', 'distance to the limits'],
     ],
@@ -67,7 +67,9 @@ const kinds = {
 
 export function reachControls() {
   let kind = 'cloud',
-    running = false;
+    running = false,
+    away = false, // whether it was the server being away that was said
+    drawn = null; // what the picture is coloured by
   const picked = { size: null, colour: null };
   const start = button('', { class: 'primary', 'data-testid': 'reach-start' }, () =>
     running ? ask('cancel', { kind: running }) : run(),
@@ -115,7 +117,22 @@ export function reachControls() {
     hi = h('span');
   const legend = h('div', { class: 'legend-scale', hidden: true }, lo, h('span', { class: 'scale-bar' }), hi);
   const options = h('div', { class: 'line' });
+  /** What the ends of the scale stand for: the few values beyond are drawn like them. */
+  function scale() {
+    if (!drawn) return;
+    const { range } = kinds[drawn.kind].scene,
+      figure = kinds[drawn.kind].colours.find(([k]) => k === drawn.colour)[2] ?? engineering;
+    setText(lo, `≤ ${figure(range.lo)}`);
+    setText(hi, `≥ ${figure(range.hi)}`);
+  }
+  on('units', scale);
+  on('online', (yes) => {
+    if (yes && away) setText(note, BACK);
+    away = false;
+  });
   function wipe() {
+    drawn = null;
+    away = false;
     for (const { scene } of Object.values(kinds)) scene.clear();
     showBeside('reach', []);
     legend.hidden = true;
@@ -127,6 +144,7 @@ export function reachControls() {
       named = mine.colours.find(([k]) => k === colour)[1];
     wipe();
     running = kind;
+    drawn = { kind, colour };
     setText(start, 'Cancel');
     progress.hidden = legend.hidden = false;
     progress.value = 0;
@@ -135,12 +153,12 @@ export function reachControls() {
       const end = await askArm(kind, mine.asked(size, colour), (m) => {
         mine.piece(m);
         progress.value = m.done / m.of;
-        setText(lo, engineering(mine.scene.range.lo));
-        setText(hi, engineering(mine.scene.range.hi));
+        scale();
         setText(note, mine.progress(m));
       });
       setText(note, end.stopped ? mine.stopped() : mine.ended(end, named, size));
     } catch (error) {
+      away = error instanceof Offline;
       setText(note, error.message);
     }
     running = false;

@@ -268,6 +268,7 @@ export const route = (open) => ({
     /** What was found is for another line, another arm or another freedom: it goes. */
     function forget() {
       found = state.route = null;
+      dock.drop(mine);
       verdict.say('');
       map.show(null);
       send.hidden = more.hidden = letFree.hidden = true;

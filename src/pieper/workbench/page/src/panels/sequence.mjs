@@ -10,6 +10,7 @@ import { motionOf } from '../curves.mjs';
 import { kindOf } from './joints.mjs';
 import { armSection, longQuestion, verdictLine } from './long_question.mjs';
 import { rowTools } from './row_tools.mjs';
+import { asOne } from '../history.mjs';
 import * as dock from '../dock.mjs';
 
 const MOST = 40;
@@ -30,6 +31,7 @@ export const sequence = {
         return state.sequence.rate;
       },
     };
+    let shown = null; // the motion that the dock has of it
     const head = h('thead'),
       body = h('tbody');
     const verdict = verdictLine('sequence-verdict');
@@ -43,6 +45,7 @@ export const sequence = {
       open: () => S.postures.length > 1,
       ask: () => askArm('motion', asked()),
       show: report,
+      forget: () => dock.drop(shown),
     });
     const legSeconds = button(
       'Same times for all legs',
@@ -79,7 +82,9 @@ export const sequence = {
         { class: 'line' },
         button('+ Present posture', { class: 'add', 'data-testid': 'add-posture' }, () => add(state.q.slice())),
         button('+ All named postures', {}, () =>
-          Object.entries(state.table.postures ?? {}).forEach(([name, q]) => add(q.slice(), name)),
+          asOne('add all named postures', () =>
+            Object.entries(state.table.postures ?? {}).forEach(([name, q]) => add(q.slice(), name)),
+          ),
         ),
         legSeconds,
       ),
@@ -215,18 +220,17 @@ export const sequence = {
         stop: false,
       }));
       verdict.say(`${P.length} postures in ${m.t[m.t.length - 1].toFixed(2)} s. ${limitWords(m.q)}`, 'good');
-      dock.show(
-        motionOf({
-          table: state.table,
-          q: m.q,
-          xs: m.t,
-          xName: 'time',
-          seconds: m.t,
-          dq: m.dq,
-          events,
-          title: `${state.table.name}: ${P.map((p) => p.name).join(' – ')}`,
-        }),
-      );
+      shown = motionOf({
+        table: state.table,
+        q: m.q,
+        xs: m.t,
+        xName: 'time',
+        seconds: m.t,
+        dq: m.dq,
+        events,
+        title: `${state.table.name}: ${P.map((p) => p.name).join(' – ')}`,
+      });
+      dock.show(shown);
     }
     on(['table', 'units', 'sequence-loaded'], rebuild);
     rebuild();

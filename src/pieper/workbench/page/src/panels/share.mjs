@@ -9,6 +9,25 @@ import { armSection } from './long_question.mjs';
 import { options } from '../solving.mjs';
 import { programMessage } from '../program.mjs';
 
+/** What tells that the screen says something else now. */
+const SHOWN = [
+  'panel',
+  'table',
+  'q',
+  'target',
+  'path',
+  'path-loaded',
+  'program',
+  'sequence',
+  'sequence-loaded',
+  'world',
+  'task',
+  'routing',
+  'units',
+  'notation',
+  'history',
+];
+
 export const share = (showPanel) => ({
   id: 'share',
   title: 'Share',
@@ -40,6 +59,12 @@ export const share = (showPanel) => ({
       'aria-label': 'The screen as a Python script',
       'data-testid': 'python',
     });
+    const takeScript = [
+      button('Copy the script', { 'data-testid': 'copy-python' }, () => copy(code.value)),
+      button('Save the script', { 'data-testid': 'save-python' }, () =>
+        download('workbench.py', code.value, 'text/x-python'),
+      ),
+    ];
     root.append(
       h('p', {
         class: 'hint',
@@ -69,12 +94,7 @@ export const share = (showPanel) => ({
       h('h3', { text: 'As Python' }),
       h('p', { class: 'hint', text: 'A script that makes and computes what is on the screen, in metres and radians.' }),
       code,
-      h(
-        'div',
-        { class: 'line' },
-        button('Copy the script', { 'data-testid': 'copy-python' }, () => copy(code.value)),
-        button('Save the script', {}, () => download('workbench.py', code.value, 'text/x-python')),
-      ),
+      h('div', { class: 'line' }, ...takeScript),
       h('h3', { text: 'Report' }),
       h('p', {
         class: 'hint',
@@ -83,21 +103,34 @@ export const share = (showPanel) => ({
       h('div', { class: 'line' }, report),
       note,
     );
+    let asked = 0;
     const show = async () => {
-      if (!panel.hidden && state.table.joints.length) address.value = await link();
-      if (!panel.hidden && state.table.joints.length) script();
+      asked += 1;
+      // what stands there is of an earlier screen
+      code.value = '';
+      code.placeholder = 'Being written …';
+      for (const b of takeScript) b.disabled = true;
+      if (panel.hidden || !state.table.joints.length) return;
+      script();
+      address.value = await link();
     };
     const script = newestOnly(async () => {
+      const mine = asked;
       try {
         const { q, target, hasTarget, path, program, world } = state;
         const { task, redundancy } = options;
         const body = { q, target: hasTarget ? target : null, path, task, redundancy, world, program: programMessage() };
-        code.value = (await askArm('python', program.length ? body : { ...body, program: null })).text;
+        const { text } = await askArm('python', program.length ? body : { ...body, program: null });
+        if (mine !== asked) return;
+        code.value = text;
+        for (const b of takeScript) b.disabled = false;
       } catch (error) {
-        code.value = `# ${error.message}`;
+        if (mine === asked) code.placeholder = error.message;
       }
     });
-    on(['panel', 'table', 'q', 'units', 'notation'], show);
+    // an action is told before it is done
+    on(SHOWN, () => queueMicrotask(show));
+    on('online', (yes) => yes && show());
 
     async function write() {
       const bad = unreadable(armSection());
