@@ -91,9 +91,9 @@ def time_laws(rounds: int) -> None:
     report("time law, 1,000 points, with an arm", lambda: pieper.time_law(q, limits, arm=arm), 4 * rounds)
     print(f"    margin {motion.margin:.12f}, duration {motion.duration:.9f}")
     if importlib.util.find_spec("toppra"):
-        import toppra
-        import toppra.algorithm
-        import toppra.constraint
+        import toppra  # pyright: ignore[reportMissingImports]
+        import toppra.algorithm  # pyright: ignore[reportMissingImports]
+        import toppra.constraint  # pyright: ignore[reportMissingImports]
 
         toppra.setup_logging("ERROR")
         s = np.linspace(0.0, 1.0, len(q))
