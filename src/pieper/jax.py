@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from pieper.code.differentiable import DifferentiableRows, Solvable, checked_plan, pose_gradient, rows
+from pieper.code.differentiable import DifferentiableRows, Solvable, checked_plan, framework, pose_gradient, rows
 
 
 def ik(arm: Solvable) -> Callable[[Any], Any]:
@@ -22,8 +21,8 @@ def ik(arm: Solvable) -> Callable[[Any], Any]:
         PlanError: The arm has not six joints.
         ModuleNotFoundError: JAX is not installed.
     """
-    jax: Any = import_module("jax")
-    jnp: Any = import_module("jax.numpy")
+    jax: Any = framework("jax", "JAX")
+    jnp: Any = framework("jax.numpy", "JAX")
     if not jax.config.read("jax_enable_x64"):
         # single precision loses rows
         jax.config.update("jax_enable_x64", True)

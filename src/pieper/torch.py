@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from pieper.code.differentiable import Solvable, checked_plan, pose_gradient, rows
+from pieper.code.differentiable import Solvable, checked_plan, framework, pose_gradient, rows
 
 
 def ik(arm: Solvable) -> Callable[[Any], Any]:
@@ -22,7 +21,7 @@ def ik(arm: Solvable) -> Callable[[Any], Any]:
         PlanError: The arm has not six joints.
         ModuleNotFoundError: PyTorch is not installed.
     """
-    torch: Any = import_module("torch")
+    torch: Any = framework("torch", "PyTorch")
     plan = checked_plan(arm)
 
     class Solve(torch.autograd.Function):

@@ -13,7 +13,8 @@ a finite gradient, directions the arm cannot move in get none. Rows that do not 
 from __future__ import annotations
 
 import os
-from typing import NamedTuple, Protocol
+from importlib import import_module
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -46,6 +47,21 @@ class DifferentiableRows(NamedTuple):
 
     q: Array
     inside: Bools
+
+
+def framework(name: str, called: str) -> Any:
+    """Return a framework that is an extra.
+
+    Raises:
+        ModuleNotFoundError: It is not installed; the message says how it comes.
+    """
+    try:
+        return import_module(name)
+    except ModuleNotFoundError as error:
+        if error.name != name.split(".")[0]:
+            raise
+        said = f"pieper.{error.name} needs {called}: pip install 'pieper[{error.name}]'"
+        raise ModuleNotFoundError(said, name=error.name) from None
 
 
 def checked_plan(arm: Solvable) -> Plan:

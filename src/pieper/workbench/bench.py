@@ -94,7 +94,11 @@ class Bench:
     def q(self, value: npt.ArrayLike | str) -> None:
         if isinstance(value, str):
             value = self._posture(value)
-        q = np.array(value, dtype=float)
+        try:
+            q = np.array(value, dtype=float)
+        except (TypeError, ValueError):
+            said = f"q must be {self._arm.n} finite numbers or a posture's name, got {type(value).__name__}."
+            raise pieper.InputError(said, given=value) from None
         if q.shape != (self._arm.n,) or not np.isfinite(q).all():
             raise pieper.InputError(
                 f"q must be {self._arm.n} finite numbers, one a joint of {self._arm.name}, got shape {q.shape}.",

@@ -41,7 +41,14 @@ def thing(arm: pieper.Arm, what: Any, kind: str | None, every: float) -> dict[st
         return _motion(np.linspace(0.0, every * (len(q) - 1), len(q)), q, [])
     if kind not in (None, *KINDS):
         raise pieper.InputError(f"kind must be one of {', '.join(KINDS)}, got {kind!r}.", given=kind)
-    array: npt.NDArray[np.float64] = np.asarray(what, dtype=np.float64)
+    try:
+        array: npt.NDArray[np.float64] = np.asarray(what, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise pieper.InputError(
+            f"what is shown is a pose (4, 4), poses, points or postures, a Motion, a Track, a Program or a body, got "
+            f"{type(what).__name__}.",
+            given=what,
+        ) from None
     kind = kind or _kind(array, arm.n)
     if kind == "frame":
         return {"kind": "frame", "T": _pose(array).ravel().tolist()}

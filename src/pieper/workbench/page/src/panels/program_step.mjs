@@ -97,7 +97,13 @@ export function stepEditor(quietly) {
     return h(
       'div',
       { class: 'line' },
-      h('span', { class: 'field-name', text: `Goes through ${s.through.length} poses, the last one its target` }),
+      h('span', {
+        class: 'field-name',
+        text:
+          s.through.length === 1
+            ? 'Goes to its target alone; add poses for it to go through'
+            : `Goes through ${s.through.length} poses, the last one its target`,
+      }),
       button('Add the present pose', { class: 'quiet', 'data-testid': `step-${k + 1}-through` }, () =>
         change([...s.through, taughtAt(k)]),
       ),

@@ -26,5 +26,7 @@ export function summary(s) {
     return s.q.map((v, i) => show(v, kindOf(state.table.joints[i] ?? { type: 'R' }), 1)).join(', ');
   return `${position(s.T)
     .map((v) => show(v, 'length', 1))
-    .join(', ')} ${units.length}${s.kind === 'spline' ? `, ${s.through.length} poses` : ''}`;
+    .join(
+      ', ',
+    )} ${units.length}${s.kind === 'spline' ? `, ${s.through.length} ${s.through.length === 1 ? 'pose' : 'poses'}` : ''}`;
 }

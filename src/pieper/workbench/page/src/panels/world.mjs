@@ -195,7 +195,7 @@ export const world = {
         return h('label', { class: 'field' }, h('span', { class: 'field-name', text: `${what}, ${units.length}` }), f);
       });
       const at = poseEditor(
-        `Place of the middle of ${t.name}`,
+        t.kind === 'frame' ? `Place of ${t.name}` : `Place of the middle of ${t.name}`,
         `world-${k + 1}`,
         () => state.world[k]?.T,
         quiet((T) => change(k, { T }, `move ${t.name}`)),
