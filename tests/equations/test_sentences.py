@@ -53,7 +53,6 @@ def test_a_point_on_the_first_axis_of_an_arm_over_decades_is_given_back():
     assert false_sentences(random_arm(284, 3)[0]) == []
 
 
-@pytest.mark.xfail(reason="the solver loses a self-motion of two slides and two parallel turns, and its posture")
 def test_a_slide_that_is_free_beside_two_parallel_turns_moves():
     """RRPRRP: 60 steps along it, each put back onto the pose by Newton's method, hold the pose to 3e-16."""
     assert false_sentences(random_arm(2005, 6)[0]) == []

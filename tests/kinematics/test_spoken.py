@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 
 import pieper
 from pieper import InputError
+from pieper.kinematics.pose import rotation_vector
 from pieper.kinematics.spoken import MAKERS, SPOKEN
 
 #: Notation -> what SciPy calls it, and the order of its numbers there.
@@ -108,6 +109,13 @@ def test_a_rotation_vector_beside_half_a_turn_comes_back(off):
         back = np.array(pieper.read_pose(pieper.pose(rotvec=v), "ur")[3:])
         # at half a turn itself either sense is right
         assert min(np.abs(back - v).max(), np.abs(back + v).max() if off < 1e-9 else 9.0) < 5e-15
+
+
+def test_rotations_beside_each_other_are_read_each_by_itself():
+    half = pieper.pose(rotvec=(np.pi - 1e-9) * np.array([0.6, 0.8, 0.0]))[:3, :3]
+    with np.errstate(all="raise"):
+        both = rotation_vector(np.stack([np.eye(3), half]))
+    assert np.array_equal(both[0], np.zeros(3)) and np.allclose(both[1], rotation_vector(half), atol=1e-15)
 
 
 def test_an_unknown_notation_is_answered_with_the_known_ones():

@@ -111,9 +111,8 @@ inline void solve_around_plane(const LoopRest& rest, const bool* slides, bool ap
         middle = -(climb + dot(direction_at(ha, a, slides[0]), At) + dot(from, Bt) + (slides[0] ? a * h.z : 0) +
                    (slides[2] ? c * k.z : 0)) /
                  to.z;
-      } else {  // the slide runs along the plane
-        out.degenerate = true;
-        continue;
+      } else {  // the slide runs along the plane, which makes up for any value of it; the height is there or is not
+        middle = 0, free = true;
       }
       out.degenerate |= free;
       const bool nearly =
@@ -162,7 +161,9 @@ inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, cons
           to_reach[0] += arm[1], to_reach[1] += arm[1];
           tries = static_cast<int>(to_reach - values) + 2;
         } else if (free == Free::YES) {
-          for (tries = 0; tries < 16; ++tries) values[tries] = arm[1] + tries * (2 * kPi / 16);
+          const bool along = own.slides[own.order[1]];  // then tried ever farther away, both ways, in lengths of the arm
+          for (tries = 0; tries < 16; ++tries)
+            values[tries] = along ? (tries % 2 ? -0.25 : 0.25) * ((tries + 1) / 2) : arm[1] + tries * (2 * kPi / 16);
         }
         const bool all = turning && free == Free::YES;  // both sides of what is free; elsewhere the first that reaches
         const int before = found.count;

@@ -304,7 +304,7 @@ def rotation_vector(rotations: Array) -> Array:
         S = (R + np.swapaxes(R, -1, -2)) / 2 - cosine[..., None, None] * np.eye(3)
         column = np.argmax(np.diagonal(S, axis1=-2, axis2=-1), axis=-1)
         a = np.take_along_axis(S, column[..., None, None], axis=-1)[..., 0]
-        a = a / np.linalg.norm(a, axis=-1, keepdims=True)
+        a = a / np.maximum(np.linalg.norm(a, axis=-1, keepdims=True), TINY)  # 0 beside it, where nothing is turned
         flip = np.where(np.sum(a * w, -1) < 0, -1.0, 1.0)
         vector = np.where(half_turn[..., None], a * (angle * flip)[..., None], vector)
     return vector

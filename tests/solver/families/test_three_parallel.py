@@ -8,9 +8,12 @@ import pytest
 from oracle.arms.chains import plane_arm
 from oracle.joints import random_joints
 from oracle.native import backwards_alike, check_sets, lost_near_singular, missed, solver_of
+from pieper import DH, Arm
 from pieper.kinematics.forward import fk
 from pieper.kinematics.geometry import look
 from pieper.solver.families import three_parallel
+
+H = np.pi / 2
 
 
 @pytest.mark.parametrize("first", [0, 1, 2, 3])
@@ -77,3 +80,25 @@ def test_generic_poses_are_not_sent_to_the_careful_look():
         chain = plane_arm(rng, first, "RRRRRR", typed=False)
         _, _, _, flag = solver_of(three_parallel, chain).many(fk(chain, random_joints(chain, rng, 20000)), 1)
         assert (flag & 1).sum() == 0
+
+
+@pytest.mark.parametrize("bent", [-1, 1])
+def test_a_slide_beside_the_plane_that_comes_to_lie_along_it_is_free(bent):
+    """Joint 6 slides, and where joint 5 stands square to the plane of joints 2 to 4 these make up for it."""
+    rows = [
+        DH(a=-0.576, alpha=-H, theta=H),
+        DH(a=-0.142, alpha=-H, d=-0.581, theta=H),
+        DH(alpha=H, d=-0.093),
+        DH(alpha=-H, theta=np.pi),
+        DH(alpha=np.pi / 3),
+        DH(a=0.198, alpha=-H, d=0.777, theta=-H),
+    ]
+    arm = Arm.from_dh(rows, convention="modified", joint_types="RRPRRP")
+    assert arm.plan.family == "three_parallel"
+    rng = np.random.default_rng(5)
+    for _ in range(4):
+        q = np.where(arm.chain.prismatic, rng.uniform(-0.6, 0.6, 6), rng.uniform(-3, 3, 6))
+        q[4] = bent * H
+        found = arm.ik(arm.fk(q))
+        assert any(motion.contains(q) for motion in found.self_motions), (found.status, q)
+        assert np.abs(arm.fk(found.all_q) - arm.fk(q)).max() < 1e-12
