@@ -161,8 +161,8 @@ inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, cons
           to_reach[0] += arm[1], to_reach[1] += arm[1];
           tries = static_cast<int>(to_reach - values) + 2;
         } else if (free == Free::YES) {
-          const bool along =
-              own.slides[own.order[1]];  // then tried ever farther away, both ways, in lengths of the arm
+          // a slide is tried ever farther away, both ways, in lengths of the arm
+          const bool along = own.slides[own.order[1]];
           for (tries = 0; tries < 16; ++tries)
             values[tries] = along ? (tries % 2 ? -0.25 : 0.25) * ((tries + 1) / 2) : arm[1] + tries * (2 * kPi / 16);
         }
