@@ -227,7 +227,7 @@ def test_a_calibration_that_is_not_there_or_no_text_is_refused(tmp_path):
 @pytest.mark.parametrize(
     ("said", "word"),
     [
-        ({"rows": [(300, 0, 400, 0), (200, 0, 0, 0)]}, "links of this arm add up to"),
+        ({"rows": [(300, 0, 400, 0), (200, 0, 0, 0)]}, "links between the joints of this arm add up to"),
         ({"tool": pieper.pose(100, 0, 0)}, "tool stands from the last axis by 100"),
         ({"rows": [(0.3, 0, 0.4, 0), (200, 0, 0, 0)]}, "tool stands from the last axis by 200"),
         ({"rows": [(0.3, 90, 0.4, 0), (0.2, 0, 0, 0)]}, "looks like degrees"),

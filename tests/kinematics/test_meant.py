@@ -20,7 +20,7 @@ SAID = {
     "millimetres": lambda arm: pieper.Arm.from_opw(a1=100, a2=-100, b=0, c1=400, c2=500, c3=500, c4=100),
     "the tool reaches 100 m": lambda arm: arm.with_tool(pieper.pose(100, 0, 0)),
     "the base stands away by 500 m": lambda arm: arm.with_base(pieper.pose(500, 0, 0)),
-    "links of this arm add up to 300 m": lambda arm: by_axes((300, 0, 0), pieper.pose(1, 0, 0)),
+    "links between the joints of this arm add up to 300 m": lambda arm: by_axes((300, 0, 0), pieper.pose(1, 0, 0)),
     "tool stands from the last axis by 300 m": lambda arm: by_axes((0.3, 0, 0), pieper.pose(300.3, 0, 0)),
     "base stands away by 400 m": lambda arm: by_axes((400.3, 0, 0), pieper.pose(400.5, 0, 0), (400, 0, 0)),
     "rpy has 90 rad": lambda arm: pieper.pose(0, 0, 0, rpy=(0, 90, 0)),
