@@ -26,7 +26,7 @@ SOURCE = ROOT / "src" / "pieper"
 #: A wing may import from itself and from wings on lower floors; neighbours on a floor do not know each other. What
 #: motion asks of the surroundings stands under it. `__init__` is the public surface, `arm` the facade behind it.
 FLOORS = (
-    ("errors", "words_by_number"),
+    ("errors", "words_by_number", "made_by"),
     ("arguments",),
     ("tolerances",),
     ("_kernel", "_code"),

@@ -7,7 +7,6 @@ import re
 import warnings
 from dataclasses import dataclass
 from functools import cached_property
-from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 
@@ -19,6 +18,7 @@ from pieper.errors import InputError, PieperWarning, PlanError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import checked_pose
+from pieper.made_by import installed_version
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.planned_arm import PlannedArm
 from pieper.solver.rows import Flag
@@ -110,10 +110,7 @@ def export(arm: PlannedArm, name: str) -> Export:
         # limits far from zero were remarked where they were said; postures inside them are no news
         warnings.simplefilter("ignore", PieperWarning)
         q, T, counts = _postures(plan, own)
-    try:
-        made_by = f"pieper {version('pieper')}"
-    except PackageNotFoundError:
-        made_by = "pieper"
+    made_by = f"pieper {installed_version()}".rstrip()
     coupling = np.zeros(0) if plan.chain.coupling is None else plan.chain.coupling
     said = np.ascontiguousarray(np.concatenate([plan.chain.links.ravel(), plan.limits.ravel(), coupling.ravel()]))
     header = (

@@ -7,7 +7,6 @@ import io
 import json
 import os
 from dataclasses import dataclass
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
@@ -16,13 +15,10 @@ import numpy as np
 from pieper import arguments
 from pieper.document.writing import whole_file
 from pieper.errors import InputError
+from pieper.made_by import installed_version
 from pieper.maps.tile import MEASURES, Question, Tile
 from pieper.words_by_number import plural
 
-try:
-    VERSION = version("pieper")
-except PackageNotFoundError:  # a source tree that was not installed
-    VERSION = ""
 #: Version of the layout; another one is refused, not guessed at.
 LAYOUT = 4
 #: Bytes of a map that is refused without a store.
@@ -39,7 +35,7 @@ def identity(question: Question, per_tile: int) -> dict[str, Any]:
         arm.update(np.ascontiguousarray(plan.chain.coupling).tobytes())
     return {
         "layout": LAYOUT,
-        "pieper": VERSION,
+        "pieper": installed_version(),
         "arm": plan.name,
         "arm_sha256": arm.hexdigest(),
         "task": plan.task,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import datetime
 from collections.abc import Sequence
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +19,7 @@ from pieper.drawing.style import MM
 from pieper.equations.lettering import checked_letters
 from pieper.errors import PieperError, PlanError
 from pieper.kinematics.pose import checked_pose
+from pieper.made_by import installed_version
 from pieper.presentation import sections_arm
 from pieper.presentation.plot_reach import joint_range
 from pieper.presentation.sections_lesson import add_dh_steps, add_jacobian, add_triangle
@@ -71,7 +71,11 @@ def report(
     given = pose is not None
     checked_letters(letters)
     today = datetime.date.today().isoformat()
-    page = Document(f"Kinematics of the {arm.name}", _subtitle(arm), edition=f"pieper {_version()}, {today}")
+    page = Document(
+        f"Kinematics of the {arm.name}",
+        _subtitle(arm),
+        edition=f"pieper {installed_version() or '(not installed)'}, {today}",
+    )
     sections_arm.add_arm(page, arm)
     add_dh_steps(page, arm)
     sections_arm.add_plan(page, arm)
@@ -150,13 +154,6 @@ def add_comparison(page: Document, comparison: Comparison) -> None:
     caption = f"Worst differences between {comparison.arm} and {comparison.toolbox}."
     page.table(["compared", "number", "worst difference"], comparison.cells(), caption)
     page.add(*comparison.explain().splitlines())
-
-
-def _version() -> str:
-    try:
-        return version("pieper")
-    except PackageNotFoundError:  # used as it stands, without having been installed
-        return "(not installed)"
 
 
 def _subtitle(arm: Arm) -> str:
