@@ -135,6 +135,16 @@ template <class Far> void turn_to_reach(Far far, double a, double b, double* out
   out[0] = phase + away, out[1] = phase - away;
 }
 
+// The same for a slide along the plane: the square of how far they must reach goes with the square of its value.
+template <class Far> void slide_to_reach(Far far, double a, double b, double* out) {
+  const double here = far(0), ahead = far(1), back = far(-1);
+  const double bent = std::fmax(0.5 * (ahead + back) - here, kTiny), nearest = 0.25 * (back - ahead) / bent;
+  const double least = here - bent * nearest * nearest;
+  const double low = std::fmax((a - b) * (a - b), least),
+               away = std::sqrt(std::fmax(0.5 * (low + (a + b) * (a + b)) - least, 0.0) / bent);
+  out[0] = nearest + away, out[1] = nearest - away;
+}
+
 // One pose.
 inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, const PlanarLink& l2, const double* T,
                                  double* q, std::uint8_t* valid, std::uint8_t* flag) {
@@ -144,25 +154,26 @@ inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, cons
         solve_around_plane(rest, slides, apart, own.first_c, roots);
       },
       [&](double* arm, Free free, const auto& around, const auto& put, Found& found) {
-        // a free joint turns to where the plane can reach: with slides that is searched
+        // a free joint turns or slides to where the plane can reach: with slides in the plane that is searched
         const bool* slides = own.slides + own.first;
-        const bool turning = !(slides[0] || slides[1] || slides[2] || own.slides[own.order[1]]);
+        const bool along = own.slides[own.order[1]];
+        const bool turning = !(slides[0] || slides[1] || slides[2]);
         double values[16] = {arm[1]};
         int tries = 1;
         if (free != Free::NO && turning) {
           double* to_reach = values + (free == Free::NEARLY);
-          turn_to_reach(
-              [&](double turn) {
-                double turned[3] = {arm[0], arm[1] + turn, arm[2]};
-                const Rigid left = around(turned);
-                return left.t.x * left.t.x + left.t.y * left.t.y;
-              },
-              std::hypot(l1.at.x, l1.at.y), std::hypot(l2.at.x, l2.at.y), to_reach);
+          const auto far = [&](double by) {
+            double moved[3] = {arm[0], arm[1] + by, arm[2]};
+            const Rigid left = around(moved);
+            return left.t.x * left.t.x + left.t.y * left.t.y;
+          };
+          const double upper = std::hypot(l1.at.x, l1.at.y), lower = std::hypot(l2.at.x, l2.at.y);
+          if (along) slide_to_reach(far, upper, lower, to_reach);
+          else turn_to_reach(far, upper, lower, to_reach);
           to_reach[0] += arm[1], to_reach[1] += arm[1];
           tries = static_cast<int>(to_reach - values) + 2;
         } else if (free == Free::YES) {
           // a slide is tried ever farther away, both ways, in lengths of the arm
-          const bool along = own.slides[own.order[1]];
           for (tries = 0; tries < 16; ++tries)
             values[tries] = along ? (tries % 2 ? -0.25 : 0.25) * ((tries + 1) / 2) : arm[1] + tries * (2 * kPi / 16);
         }

@@ -102,3 +102,22 @@ def test_a_slide_beside_the_plane_that_comes_to_lie_along_it_is_free(bent):
         found = arm.ik(arm.fk(q))
         assert any(motion.contains(q) for motion in found.self_motions), (found.status, q)
         assert np.abs(arm.fk(found.all_q) - arm.fk(q)).max() < 1e-12
+
+
+def test_a_free_slide_goes_to_where_short_links_of_the_plane_can_reach():
+    """Links of 0.18 and 0.12 m reach a narrow part of the slide's way, on either side of where it comes nearest."""
+    rows = [
+        DH(a=-0.18, alpha=-H, theta=H),
+        DH(a=-0.058, alpha=-H, d=-0.13, theta=H),
+        DH(a=0.181),
+        DH(a=0.119, theta=np.pi),
+        DH(alpha=np.pi / 3),
+        DH(a=0.182, alpha=-H, d=0.353, theta=-H),
+    ]
+    arm = Arm.from_dh(rows, convention="modified", joint_types="RRRRRP")
+    assert arm.plan.family == "three_parallel"
+    rng = np.random.default_rng(3)
+    for far in (-1.2645395811774875, *rng.uniform(-2, 2, 9)):
+        q = np.append(rng.uniform(-3, 3, 4), [-H, far])
+        found = arm.ik(arm.fk(q))
+        assert any(motion.contains(q) for motion in found.self_motions), (found.status, q)
