@@ -145,6 +145,13 @@ template <class Far> void slide_to_reach(Far far, double a, double b, double* ou
   out[0] = nearest + away, out[1] = nearest - away;
 }
 
+// The same where the plane's own slide stands at an end of it and two turns beside: how far its line passes their circle's centre goes
+// with the joint's value, and is brought to nothing. `past`: that distance.
+template <class Past> double slide_to_line(Past past) {
+  const double here = past(0), slope = past(1) - here;
+  return std::fabs(slope) > kPairLinear ? -here / slope : 0;
+}
+
 // One pose.
 inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, const PlanarLink& l2, const double* T,
                                  double* q, std::uint8_t* valid, std::uint8_t* flag) {
@@ -176,6 +183,15 @@ inline void solve_three_parallel(const GroupArm& own, const PlanarLink& l1, cons
           // a slide is tried ever farther away, both ways, in lengths of the arm
           for (tries = 0; tries < 16; ++tries)
             values[tries] = along ? (tries % 2 ? -0.25 : 0.25) * ((tries + 1) / 2) : arm[1] + tries * (2 * kPi / 16);
+          if (along && slides[0] + slides[1] + slides[2] == 1 && !slides[1])
+            values[0] = slide_to_line([&](double by) {
+              double moved[3] = {arm[0], by, arm[2]};
+              const Rigid left = around(moved);
+              const Flat to = {left.t.x, left.t.y};
+              if (slides[0]) return to.y - l1.at.y;
+              return flat_turn(-std::atan2(left.x.y - left.y.x, left.x.x + left.y.y), to).y -
+                     flat_turn(-l2.angle, l2.at).y;
+            });
         }
         const bool all = turning && free == Free::YES;  // both sides of what is free; elsewhere the first that reaches
         const int before = found.count;

@@ -121,3 +121,23 @@ def test_a_free_slide_goes_to_where_short_links_of_the_plane_can_reach():
         q = np.append(rng.uniform(-3, 3, 4), [-H, far])
         found = arm.ik(arm.fk(q))
         assert any(motion.contains(q) for motion in found.self_motions), (found.status, q)
+
+
+def test_a_free_slide_brings_the_planes_own_slide_to_where_a_short_link_can_reach():
+    """Joint 2 slides too: its line must pass the wrist's circle of 0.03 m, which few values of joint 6 let it."""
+    rows = [
+        DH(a=-0.3, alpha=-H, theta=H),
+        DH(a=-0.2, alpha=-H, d=-0.13, theta=H),
+        DH(a=0.25, alpha=H),
+        DH(a=0.03, theta=np.pi),
+        DH(alpha=np.pi / 3),
+        DH(a=0.182, alpha=-H, d=0.353, theta=-H),
+    ]
+    arm = Arm.from_dh(rows, convention="modified", joint_types="RPRRRP")
+    assert arm.plan.family == "three_parallel"
+    rng = np.random.default_rng(4)
+    for _ in range(10):
+        q = np.where(arm.chain.prismatic, rng.uniform(-1, 1, 6), rng.uniform(-3, 3, 6))
+        q[4] = -H
+        found = arm.ik(arm.fk(q))
+        assert any(motion.contains(q) for motion in found.self_motions), (found.status, q)
