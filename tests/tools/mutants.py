@@ -33,7 +33,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from tests.tools.reached import INTO, PROBES, TEXT, Recorded, ordered, probed, reaching, within_functions
+from tests.tools.reached import INTO, PROBES, TEXT, Recorded, cost, file_of, ordered, probed, reaching, within_functions
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src" / "pieper"
@@ -203,16 +203,17 @@ def recorded(state: dict[str, Any], folders: list[str], longest: float | None) -
     out = []
     for path in (p for folder in folders for p in sorted((ROOT / folder).rglob("test_*.py"))):
         file, text = str(path.relative_to(ROOT)), hashlib.sha1(path.read_bytes()).hexdigest()
-        if state["reached"].get(file, {}).get("text") != text:
+        seen = state["reached"].get(file, {})
+        if seen.get("text") != text or "prepares" not in seen:
             into = COPY.parent / "reached.json"
             into.unlink(missing_ok=True)
             said, spent = tested([file], longest, into=into)
-            seen = json.loads(into.read_text()) if into.exists() else {"seconds": {}, "places": {}}
+            seen = json.loads(into.read_text()) if into.exists() else {"seconds": {}, "places": {}, "prepares": 0.0}
             state["reached"][file] = {"text": text, **seen}
             keep(state)
             left = " is left out: it takes too long" if said == "noticed: it takes too long" else ""
             print(f"[{spent:.0f} s] what {file} comes to{left}", flush=True)
-        out.append(Recorded(state["reached"][file]["seconds"], state["reached"][file]["places"]))
+        out.append(Recorded(*(state["reached"][file][key] for key in Recorded._fields)))
     return out
 
 
@@ -228,10 +229,11 @@ def tried(change: Change, place: int, known: list[Recorded], budget: float | Non
     """Try a change on the tests that come to it; return what is said, the processor seconds and how many were asked."""
     loaded = change.span not in within_functions(ast.parse((SOURCE / change.path).read_text()))
     tests = reaching(known, place, loaded=loaded)
-    asked = ordered(tests, Path(change.path).stem, budget)
+    prepares = {file_of(name): one.prepares for one in known for name in one.seconds}
+    asked = ordered(tests, Path(change.path).stem, budget, prepares)
     if not asked:
         return "survived", 0.0, 0
-    said, spent = tested(asked, STARTS + TIMES_AS_LONG * sum(tests[name] for name in asked))
+    said, spent = tested(asked, STARTS + TIMES_AS_LONG * cost(asked, tests, prepares))
     return said, spent, len(asked)
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from tests.tools import mutants
 from tests.tools.mutants import Change, changes, limited, sample, with_change
-from tests.tools.reached import Recorded, ordered, probed, reaching
+from tests.tools.reached import Recorded, cost, ordered, probed, reaching
 
 
 def test_what_works_longer_than_its_processor_time_is_stopped_and_what_only_waits_is_not():
@@ -64,14 +64,22 @@ def test_words_and_types_are_left_alone_and_comparisons_signs_and_or_are_turned(
 
 def test_the_test_of_its_own_file_is_asked_first_then_the_quickest_within_the_budget():
     tests = {"t/test_slow.py::a": 9.0, "t/test_other.py::b": 0.1, "t/test_rows.py::c": 3.0, "t/test_other.py::d": 0.2}
-    assert ordered(tests, "rows", None) == [
+    assert ordered(tests, "rows", None, {}) == [
         "t/test_rows.py::c",
         "t/test_other.py::b",
         "t/test_other.py::d",
         "t/test_slow.py::a",
     ]
-    assert ordered(tests, "rows", 3.2) == ["t/test_rows.py::c", "t/test_other.py::b"]
-    assert ordered(tests, "slow", 1.0) == ["t/test_slow.py::a"]
+    assert ordered(tests, "rows", 3.2, {}) == ["t/test_rows.py::c", "t/test_other.py::b"]
+    assert ordered(tests, "slow", 1.0, {}) == ["t/test_slow.py::a"]
+
+
+def test_what_a_file_prepares_counts_once_and_puts_its_tests_behind_quicker_ones():
+    tests = {"t/test_a.py::x": 0.1, "t/test_a.py::y": 0.1, "t/test_b.py::z": 0.5}
+    prepares = {"t/test_a.py": 60.0}
+    assert cost(["t/test_a.py::x", "t/test_a.py::y"], tests, prepares) == pytest.approx(60.2)
+    assert ordered(tests, "rows", None, prepares) == ["t/test_b.py::z", "t/test_a.py::x", "t/test_a.py::y"]
+    assert ordered(tests, "rows", 5.0, prepares) == ["t/test_b.py::z"]
 
 
 @pytest.mark.parametrize("text", ["é = 1 < 2\n", "x = ('é', 1 < 2)\n"])
