@@ -19,8 +19,8 @@ from typing import Any, NamedTuple
 
 import pytest
 
-#: Where the plugin writes what it saw; not named: it does nothing.
-INTO = "PIEPER_REACHED_BY_TESTS"
+#: Where the plugin writes what it saw; not named: it does nothing. After how many processor seconds it ends.
+INTO, LONGEST = "PIEPER_REACHED_BY_TESTS", "PIEPER_REACHED_IN_SECONDS"
 #: The module of the copy that is told what is evaluated, its text, and what its function is called where it is used.
 PROBES, CALLED = "probes", "_evaluated"
 TEXT = """RUNNING, SEEN = [""], {}
@@ -128,6 +128,8 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
         return (yield)
     finally:
         spent[item.nodeid] = time.process_time() - begin - (prepared.get(file, 0.0) - before)
+        if time.process_time() > float(os.environ.get(LONGEST, "inf")):
+            item.session.shouldstop = "long enough"
 
 
 @pytest.hookimpl(wrapper=True)

@@ -6,10 +6,11 @@ import ast
 import os
 import signal
 import time
+from types import SimpleNamespace
 
 import pytest
 
-from tests.tools import mutants
+from tests.tools import mutants, reached
 from tests.tools.mutants import Change, changes, limited, sample, with_change
 from tests.tools.reached import Recorded, cost, ordered, probed, reaching
 
@@ -121,3 +122,28 @@ def test_a_test_is_asked_that_comes_to_the_place_and_all_are_where_it_is_evaluat
     assert reaching([one, two], 4, loaded=False) == {"b.py::z": 0.5}
     assert reaching([one, two], 5, loaded=False) == {}
     assert reaching([one, two], 5, loaded=True) == {"a.py::x": 1.0, "a.py::y": 2.0, "b.py::z": 0.5}
+
+
+def test_what_is_prepared_is_no_part_of_a_test_s_time_and_a_file_ends_after_the_longest_time(monkeypatch):
+    monkeypatch.setattr(reached, "spent", {})
+    monkeypatch.setattr(reached, "prepared", {})
+    item = SimpleNamespace(nodeid="t/test_a.py::x", session=SimpleNamespace(shouldstop=False))
+
+    def run(hook, inside=lambda: None):
+        steps = hook(item)
+        next(steps)
+        inside()
+        with pytest.raises(StopIteration):
+            steps.send(None)
+
+    def busy():
+        begin = time.process_time()
+        while time.process_time() < begin + 0.2:
+            pass
+
+    run(reached.pytest_runtest_protocol, lambda: run(reached.pytest_runtest_setup, busy))
+    assert reached.prepared["t/test_a.py"] >= 0.2 > 0.1 > reached.spent["t/test_a.py::x"]
+    assert not item.session.shouldstop
+    monkeypatch.setenv(reached.LONGEST, "0")
+    run(reached.pytest_runtest_protocol)
+    assert item.session.shouldstop
