@@ -1,0 +1,75 @@
+"""Small parts of motion asked by themselves: instructions, the corner of a blend, a sampled curve, what a file says."""
+
+from __future__ import annotations
+
+import dataclasses
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from scipy.interpolate import CubicHermiteSpline, PPoly
+
+import pieper
+from pieper.errors import InputError
+from pieper.motion import between_points, blend, instructions, program_file
+from pieper.motion.dialects.trajectory import read_ros
+from pieper.motion.joint_move import joint_move
+from pieper.motion.motion import hermite
+from pieper.motion.stops import _parameter
+
+
+def test_no_instruction_can_be_changed_once_it_is_said():
+    kinds = [kind for kind in vars(instructions).values() if dataclasses.is_dataclass(kind)]
+    assert len(kinds) > 5
+    for kind in kinds:
+        one = kind(*(1.0 for field in dataclasses.fields(kind) if field.default is dataclasses.MISSING))
+        with pytest.raises(dataclasses.FrozenInstanceError):
+            setattr(one, dataclasses.fields(kind)[0].name, 2.0)
+
+
+def test_every_peak_of_a_step_is_where_its_cubic_turns_back():
+    rng = np.random.default_rng(5)
+    for _ in range(40):
+        first, last, m0, m1 = rng.normal(size=(4, 3, 2))
+        everywhere = np.full(2, -np.inf)
+        found = between_points._peaks(first, last, m0, m1, everywhere, everywhere)
+        slope = CubicHermiteSpline([0.0, 1.0], [first, last], [m0, m1]).derivative()
+        for k in range(3):
+            turns = [t for j in range(2) for t in PPoly(slope.c[:, :, k, j], slope.x).roots() if 0 < t < 1]
+            assert [t for at, t in found if at == k] == pytest.approx(sorted(turns), abs=1e-9)
+
+
+@pytest.mark.parametrize("radius", [0.011, 0.2, 0.5, 0.93])
+@pytest.mark.parametrize("power", [1.0, 2.0])
+def test_a_blend_begins_where_the_way_from_its_corner_is_its_radius(radius, power):
+    distance = np.linspace(0.0, 1.0, blend.PLACES) ** power
+    place = blend._enters(distance, radius)
+    assert np.interp(place, np.linspace(0.0, 0.5, blend.PLACES), distance) == pytest.approx(radius, abs=1e-12)
+
+
+def test_a_curve_in_time_ends_at_its_last_point_and_stays_there():
+    t = np.array([0.0, 0.4, 1.0])
+    q = np.array([[0.0], [0.3], [1.0]])
+    dq = np.array([[1.0], [2.0], [0.5]])
+    assert np.array_equal(hermite(t, q, dq, np.array([0.0, 0.4, 1.0, 1.5, 7.0]))[:, 0], [0.0, 0.3, 1.0, 1.0, 1.0])
+
+
+def test_a_path_of_two_poses_has_its_parameter_and_one_of_a_single_pose_begins():
+    assert _parameter(SimpleNamespace(path=[0, 0]), 0.25) == 0.25
+    assert _parameter(SimpleNamespace(path=[0, 0, 0]), 0.5) == 0.25
+    assert _parameter(SimpleNamespace(path=[0]), 0.0) == 0.0
+
+
+def test_the_first_point_of_a_trajectory_is_called_the_first():
+    with pytest.raises(InputError, match="point 1 of the trajectory has 1 position"):
+        read_ros("joint_names: [a, b]\npoints:\n- positions: [1.0]\n- positions: [1.0, 2.0]\n")
+
+
+@pytest.mark.parametrize("value", [0.0, -0.0, -1e-13, 1e-13])
+def test_a_number_of_a_program_s_file_that_rounds_to_zero_has_no_sign(value):
+    assert program_file._number(value) == "0.0"
+
+
+def test_a_move_of_the_joints_is_sampled_five_hundred_times_a_second():
+    motion = joint_move(np.zeros(2), np.array([1.0, 0.5]), pieper.Limits(1.0, 2.0))
+    assert np.abs(np.diff(motion.t)[:-1] - 1 / 500).max() < 1e-12
