@@ -13,11 +13,13 @@ import pieper
 from pieper.errors import InputError
 from pieper.motion import between_points, blend, instructions, program_file
 from pieper.motion.certificate import tool_acceleration_peaks
+from pieper.motion.curve import JointCurve
 from pieper.motion.dialects.trajectory import read_ros
 from pieper.motion.joint_move import joint_move
 from pieper.motion.motion import hermite
 from pieper.motion.stops import _parameter
 from pieper.motion.tool_bounds import ToolCurve
+from pieper.motion.tool_way import ToolWay
 
 
 def test_no_instruction_can_be_changed_once_it_is_said():
@@ -82,6 +84,15 @@ def test_the_second_half_of_a_corner_is_as_fast_as_the_move_behind_it(corner):
     begin, end = (int(np.linalg.norm(tool - corners[at], axis=1).argmin()) for at in (corner, corner + 1))
     fast = np.linalg.norm(np.diff(tool, axis=0), axis=1) / np.diff(motion.t)
     assert fast[begin + 1 : end - 1].max() < 0.05 * 1.001 < 0.1 < fast.max()
+
+
+def test_between_its_points_the_parameter_of_a_tool_s_way_is_the_cubic_that_fits():
+    places, s, rate = np.array([0.0, 0.3, 1.0]), np.array([0.0, 0.5, 1.0]), np.array([0.8, 1.1, 2.0])
+    curve = JointCurve.through(places, np.zeros((3, 1)))
+    way = ToolWay(curve, s, rate, 1.0, ((0.0, 1.0),))
+    at = np.linspace(0.0, 1.0, 57)
+    wanted = np.clip(CubicHermiteSpline(places, s, 1 / rate)(at), 0.0, 1.0)
+    assert np.abs(way.own(at) - wanted).max() < 1e-14
 
 
 @pytest.mark.parametrize("radius", [0.011, 0.2, 0.5, 0.93])
