@@ -75,7 +75,7 @@ def _cheapest(task: Task, stations: list[Array], longest: float) -> Array | None
     arm = np.arange(world.m) < world.n
     cost, came = np.zeros(len(stations[0])), list[Indices]()
     for a, b in zip(stations[:-1], stations[1:], strict=True):
-        e = world.chain.joints.difference(b[:, None], a[None])
+        e = world.chain.joints.way(b[:, None], a[None])
         size = np.abs(e / unit)[..., arm].max(-1)
         steps = (np.sqrt(weights) * np.abs(e)).max(-1) if task.largest else (weights * e * e).sum(-1)
         total = np.where(size <= longest, steps + cost, np.inf)
@@ -87,4 +87,4 @@ def _cheapest(task: Task, stations: list[Array], longest: float) -> Array | None
     for before in reversed(came):
         chain.append(int(before[chain[-1]]))
     x = np.array([points[k] for points, k in zip(stations, reversed(chain), strict=True)])
-    return x[0] + np.vstack([np.zeros(world.m), np.cumsum(world.chain.joints.difference(x[1:], x[:-1]), axis=0)])
+    return x[0] + np.vstack([np.zeros(world.m), np.cumsum(world.chain.joints.way(x[1:], x[:-1]), axis=0)])
