@@ -105,5 +105,6 @@ def _try(wheel: Path, python: Path, folder: Path) -> subprocess.CompletedProcess
 
 
 if __name__ == "__main__":
-    wrong = [f"{name}: {said}" for name in sys.argv[1:] for said in tried(Path(name).resolve(), interpreters())]
-    sys.exit("\n".join(wrong))
+    there = interpreters()
+    wrong = [f"{name}: {said}" for name in sys.argv[1:] for said in tried(Path(name).resolve(), there)]
+    sys.exit("\n".join(wrong) or 0)  # an empty text would be a failure as well

@@ -101,3 +101,13 @@ def test_the_interpreter_tried_is_no_script_that_needs_the_path(tmp_path, monkey
         [str(python), "-c", "print(6 * 7)"], capture_output=True, text=True, env={"PATH": ""}, check=True
     )
     assert said.stdout.strip() == "42"
+
+
+@pytest.mark.parametrize("wheels", [[], ["pieper-0.1.0-cp311-cp311-none.whl"]])
+def test_a_wheel_that_cannot_be_installed_is_a_failure_and_nothing_wrong_is_none(tmp_path, wheels):
+    script = str(ROOT / "build_backend" / "try_wheel.py")
+    alone = os.environ | {"PYENV_ROOT": str(tmp_path), "PATH": f"{sys.base_prefix}/bin"}
+    done = subprocess.run([sys.executable, script, *wheels], capture_output=True, env=alone, cwd=tmp_path, check=False)
+    ours = sys.version_info[:2] == (3, 11)
+    assert done.returncode == (1 if wheels and ours else 0), done.stderr
+    assert bool(done.stderr) == bool(wheels and ours)
