@@ -13,6 +13,7 @@ from contextlib import ExitStack
 from importlib import import_module
 from multiprocessing import parent_process
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -25,6 +26,9 @@ from pieper.cli.output import say, short
 from pieper.cli.status import DONE
 from pieper.cli.units import Units
 from pieper.tolerances import RELATIVE_ROUNDING, SUSPICIOUSLY_SMALL
+
+if TYPE_CHECKING:
+    from pieper.maps.grid import Grid
 
 
 class _Progress:
@@ -54,6 +58,21 @@ def _watch_parent() -> None:
     while parent.is_alive() and os.getppid() == parent.pid:
         parent.join(1.0)
     os.kill(os.getpid(), signal.SIGTERM)
+
+
+def _widened(grid: Grid, sides: list[tuple[float, float]], units: Units) -> list[str]:
+    """Return a line about sides of a box that whole voxels made longer."""
+    longer = [
+        f"{axis} to {short((low + count * grid.step) / units.metres)}"
+        for axis, count, (low, high) in zip("xyz", grid.shape, sides, strict=True)
+        if low + count * grid.step - high > 2 * RELATIVE_ROUNDING * max(grid.step, abs(high))
+    ]
+    if not longer:
+        return []
+    return [
+        f"the box has whole voxels of {short(grid.step / units.metres)} {units.length}: it reaches {', '.join(longer)} "
+        f"{units.length}."
+    ]
 
 
 @click.command("map", cls=TakesNumbers, short_help="Fill a box with answers: what the arm reaches.")
@@ -147,6 +166,8 @@ def command(
             executor = stack.enter_context(ProcessPoolExecutor(count, initializer=end_with_parent))
         progress = _Progress() if sys.stderr.isatty() and not json else None
         found = arm.reach_map(sides, step * units.metres, executor=executor, progress=progress, scene=around, **asked)
+    for line in _widened(found.grid, sides, units):
+        print(f"pieper: note: {line}", file=sys.stderr)
     if save:
         found.save(save)
     if picture:
