@@ -144,6 +144,7 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
     rounded: dict[str, list[float]] = {}
     name = "arm"
     told: list[str] = []
+    known: set[tuple[str, str]] = set()
     at: list[str] = []
     current: Joint | None = None
     parser = expat.ParserCreate()
@@ -195,7 +196,11 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
                 joints[current.name] = current
                 numbers[current.name] = _Numbers()
             case ("robot", "joint", _) if current is not None:
-                _element(current, numbers[current.name], tag, said)
+                if (current.name, tag) not in known:
+                    _element(current, numbers[current.name], tag, said)
+                elif tag in _ONCE:  # which of two counts differs between readers; the first does where robots are run
+                    told.append(f"Joint {current.name!r} has more than one <{tag}>: the first counts, as in ROS.")
+                known.add((current.name, tag))
 
     parser.StartDoctypeDeclHandler = refuse
     parser.EntityDeclHandler = refuse
@@ -224,6 +229,8 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
     )
 
 
+#: What a joint has once.
+_ONCE = ("parent", "child", "origin", "axis", "limit", "mimic")
 #: How files begin that are none, and what to do about it.
 _NO_XML = (
     (b"<html", "a web page, not the file: save the raw file and load that."),
