@@ -38,13 +38,13 @@ _DEGREES = _Unit(np.pi / 180, "in degrees", "deg", "Give radians: numpy.radians{
 _RADIANS = _Unit(
     180 / np.pi, "in radians that were taken for degrees", "rad", "Give radians: numpy.degrees{of} undoes that."
 )
-_MILLIMETRES = _Unit(1e-3, "in millimetres", "mm", "Give metres: divide {what} by 1000.")
-_METRES = _Unit(1e3, "in metres that were taken for millimetres", "m", "Give metres: multiply {what} by 1000.")
+_MILLIMETRES = _Unit(1 / 1000, "in millimetres", "mm", "Give metres: divide {what} by 1000.")
+_METRES = _Unit(1000.0, "in metres that were taken for millimetres", "m", "Give metres: multiply {what} by 1000.")
 #: Units that lengths larger than the arm may be in.
 _LARGER = (
     _MILLIMETRES,
-    _Unit(1e-6, "in micrometres", "um", "Give metres: divide {what} by 1,000,000."),
-    _Unit(1e-2, "in centimetres", "cm", "Give metres: divide {what} by 100."),
+    _Unit(1 / 1_000_000, "in micrometres", "um", "Give metres: divide {what} by 1,000,000."),
+    _Unit(1 / 100, "in centimetres", "cm", "Give metres: divide {what} by 100."),
     _Unit(0.0254, "in inches", "in", "Give metres: multiply {what} by 0.0254."),
 )
 

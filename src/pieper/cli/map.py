@@ -13,7 +13,6 @@ from contextlib import ExitStack
 from importlib import import_module
 from multiprocessing import parent_process
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
@@ -26,9 +25,6 @@ from pieper.cli.output import say, short
 from pieper.cli.status import DONE
 from pieper.cli.units import Units
 from pieper.tolerances import RELATIVE_ROUNDING, SUSPICIOUSLY_SMALL
-
-if TYPE_CHECKING:
-    from pieper.maps.grid import Grid
 
 
 class _Progress:
@@ -60,19 +56,17 @@ def _watch_parent() -> None:
     os.kill(os.getpid(), signal.SIGTERM)
 
 
-def _widened(grid: Grid, sides: list[tuple[float, float]], units: Units) -> list[str]:
-    """Return a line about sides of a box that whole voxels made longer."""
+def _widened(shape: tuple[int, ...], step: float, sides: list[tuple[float, float]], units: Units) -> list[str]:
+    """Return a line about sides of a box that whole voxels, so many and of such a step (m), made longer."""
     longer = [
-        f"{axis} to {short((low + count * grid.step) / units.metres)}"
-        for axis, count, (low, high) in zip("xyz", grid.shape, sides, strict=True)
-        if low + count * grid.step - high > 2 * RELATIVE_ROUNDING * max(grid.step, abs(high))
+        f"{axis} to {short((low + count * step) / units.metres)}"
+        for axis, count, (low, high) in zip("xyz", shape, sides, strict=True)
+        if low + count * step - high > 2 * RELATIVE_ROUNDING * max(step, abs(high))
     ]
     if not longer:
         return []
-    return [
-        f"the box has whole voxels of {short(grid.step / units.metres)} {units.length}: it reaches {', '.join(longer)} "
-        f"{units.length}."
-    ]
+    voxels = f"whole voxels of {short(step / units.metres)} {units.length}"
+    return [f"the box has {voxels}: it reaches {', '.join(longer)} {units.length}."]
 
 
 @click.command("map", cls=TakesNumbers, short_help="Fill a box with answers: what the arm reaches.")
@@ -166,7 +160,7 @@ def command(
             executor = stack.enter_context(ProcessPoolExecutor(count, initializer=end_with_parent))
         progress = _Progress() if sys.stderr.isatty() and not json else None
         found = arm.reach_map(sides, step * units.metres, executor=executor, progress=progress, scene=around, **asked)
-    for line in _widened(found.grid, sides, units):
+    for line in _widened(found.grid.shape, found.grid.step, sides, units):
         print(f"pieper: note: {line}", file=sys.stderr)
     if save:
         found.save(save)
