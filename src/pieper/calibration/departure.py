@@ -35,12 +35,12 @@ def refuse_another_arm(nominal: AxesModel, fitted: AxesModel, q: Array) -> None:
         cure = (
             f"Lengths are probably in {unit}. Give metres: divide them by {UNITS[unit]:.6g}."
             if unit
-            else "Give lengths in metres, and the joints at which each was measured; of a plane, heights of a tool that "
-            "really moved along it."
+            else "Give lengths in metres, and the joints at which each was measured; of a plane, heights of a tool "
+            "that really moved along it."
         )
-        size = f"an arm {larger:.3g} times as large as the nominal one" if larger > A_POINT else "an arm shrunk to a point"
+        size = f"{larger:.3g} times as large as the nominal one" if larger > A_POINT else "shrunk to a point"
         raise InputError(
-            f"only {size} explains the data. {cure}",
+            f"only an arm {size} explains the data. {cure}",
             larger=larger,
             unit=unit,
         )
@@ -48,8 +48,8 @@ def refuse_another_arm(nominal: AxesModel, fitted: AxesModel, q: Array) -> None:
     if turned.max(initial=0.0) > ANOTHER_ANGLE:
         worst = int(np.argmax(turned))
         raise InputError(
-            f"only an arm whose axes {worst + 1} and {worst + 2} stand {np.degrees(turned[worst]):.3g} deg otherwise to "
-            "each other than in the nominal one explains the data. Several things may be meant otherwise at once "
+            f"only an arm whose axes {worst + 1} and {worst + 2} stand {np.degrees(turned[worst]):.3g} deg otherwise "
+            "to each other than in the nominal one explains the data. Several things may be meant otherwise at once "
             "(units, senses, zeros of joints, rows out of step), or it is another arm.",
             turned=float(turned[worst]),
         )
