@@ -20,13 +20,16 @@ from pieper.solver.batches import (
     LARGE_BLOCK,
     Near,
     Progress,
+    after,
     arrays_of,
     finished,
     joined,
     marking,
     near_what,
+    tell,
     without_refused,
 )
+from pieper.solver.beyond import DOUBTS, beyond, without_doubt
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.at_values import rows_at_choice
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice, nothing_chosen
@@ -96,7 +99,7 @@ def ik_many(
     poses, refused = without_refused(Ts) if marking(invalid) else (_plain(plan, Ts, redundancy), None)
     near_by = near_what(plan, near, start, weights, len(poses))
     arguments.told(progress)
-    told = None if progress is None else partial(_tell, progress, len(poses))
+    told = None if progress is None else partial(tell, progress, len(poses))
     solve = partial(_solved, plan, threads=threads, redundancy=redundancy, near=near_by, out=out, told=told)
     try:
         found = solve(poses)
@@ -128,7 +131,7 @@ def _solved(
         for first in range(0, len(poses), size):
             at = slice(first, first + size)
             by = None if near is None else near.part(at)
-            _into(plan, poses[at], threads, whole.part(at), by, None if told is None else partial(_after, told, first))
+            _into(plan, poses[at], threads, whole.part(at), by, None if told is None else partial(after, told, first))
         return whole
     if isinstance(out, SolutionBatch):
         arrays_of(plan, out, len(poses), out.q.shape[-2], near)  # what is wrong with it is said before the work
@@ -162,6 +165,7 @@ def _into(
         into.status[:] = _PLAIN[outcome]
         return
     unclear = np.flatnonzero((rows.flags != 0) | (outcome == 0))
+    without_doubt(plan, poses, rows)
     into.status[:] = _look(plan, poses, rows)
     into.status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     if near is not None and chosen is not None:
@@ -171,6 +175,7 @@ def _into(
 def _through(plan: Plan, poses: Array, asked: Choice, threads: int) -> SolutionBatch:
     """Solve poses of an arm or a task that became a six-joint chain."""
     rows = rows_at_choice(plan, poses, asked, threads, _alone)
+    without_doubt(plan, poses, rows)
     if plan.redundancy:
         rows, status = _spare(plan, poses, rows, asked, threads)
         rows.flags[:] &= np.uint8(255 ^ _EDGE)
@@ -195,14 +200,6 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
     for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits)):
         batch.status[i] = ik(plan, checked_pose(poses[i])).status
     return batch
-
-
-def _tell(progress: Progress, count: int, done: int) -> None:
-    progress(done, count)
-
-
-def _after(told: Callable[[int], None], before: int, done: int) -> None:
-    told(before + done)
 
 
 # ---------------------------------------------------------------------------------------------- check
@@ -265,6 +262,8 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: 
     """Look again at a pose that has no rows, or was marked: self-motions, merged roots, what a kernel overlooked."""
     from pieper.solver.singular.careful import overlooked, sure_beside
 
+    if not len(q) and beyond(plan, T[None])[0]:
+        return Solutions(plan, WORDS, T, q, slots, inside, flag & ~DOUBTS)
     if not flag & _DEGENERATE:
         doubted = bool(flag & _UNCERTAIN) and bool(sure_beside(plan, T[None])[0])
         if not doubted and (len(q) or not overlooked(plan, T[None])[0]):
@@ -355,6 +354,7 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
     T = checked_pose(given)
     asked = choice(plan, redundancy, 1)
     rows = rows_at_choice(plan, T[None], asked, 1, _alone)
+    without_doubt(plan, T[None], rows)
     q, slots, inside, flag = rows.of(0)
     if not np.array_equal(T, np.asarray(as_pose(given), float)):
         flag |= Flag.ROUNDED

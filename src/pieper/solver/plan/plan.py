@@ -179,6 +179,13 @@ class Plan:
         return np.vstack([self.limits, np.tile([-np.inf, np.inf], (extra, 1))])
 
     @cached_property
+    def farthest(self) -> float:
+        """How far the links reach from the first axis's frame laid end to end, m; slides as far as their limits."""
+        full = self.exact.full
+        slides = np.abs(np.where(full.prismatic[:, None], self.full_limits, 0.0)).max(1).sum()
+        return float(np.linalg.norm(full.links[1:, :3, 3], axis=1).sum() + slides)
+
+    @cached_property
     def nearly(self) -> Plan | None:
         """How the special arm is solved that this one nearly is, rows refined on this one; None where it is none."""
         return self.special(self)
