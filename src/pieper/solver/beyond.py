@@ -1,4 +1,4 @@
-"""Poses that are out of reach whatever any solver says of them: farther away than the links would be laid end to end."""
+"""Poses that are out of reach whatever any solver says of them: farther away than the links laid end to end."""
 
 from __future__ import annotations
 
