@@ -15,6 +15,7 @@ import numpy as np
 from pieper.kinematics.arrays import Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
+from pieper.solver.plan.count_of_five import five_joints
 from pieper.solver.plan.holding import TRIED
 from pieper.solver.plan.plan import Count, Plan
 from pieper.solver.plan.six_joints import generic_rank, with_task_joints
@@ -104,7 +105,12 @@ def _short(chain: Chain, geometry: Geometry, names: tuple[str, ...], task: str) 
     if found is not None:
         return found
     few = None if alike else _few_turns(geometry, slides)
-    return few if few is not None or chain.n != 4 else _two_and_two(chain, turns)
+    if few is not None:
+        return few
+    if chain.n == 4:
+        return _two_and_two(chain, turns)
+    five = five_joints(geometry, slides)
+    return None if five is None else Count(_plain_kind(chain, turns), *five)
 
 
 def _two_and_two(chain: Chain, turns: int) -> Count:
