@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -39,6 +39,8 @@ ALL_OVER = 80
 #: Poses beside one that vouch for it. A double root shows on one side of its fold alone, so that one that neither the
 #: rows nor other starts lead to hides from all of them in one of 2**6 directions.
 VOUCHING = 6
+#: Places along a self-motion beside which poses are taken that may vouch.
+PLACES = (0.06, 0.31, 0.57, 0.83)
 
 
 def near_rows(plan: Plan, poses: Array) -> Array:
@@ -200,14 +202,28 @@ def _certain_beside(plan: Plan, T: Array) -> Array | None:
             count += 1
     if plan.arms_beside:
         return np.concatenate(rows) if count == VOUCHING else None
-    for size in SURE_ASIDE:
-        q, valid, _, flags = plan.solver.many(np.ascontiguousarray(side_steps(plan.chain, T, (size,))), 1)
+    return _certain_of(plan, (side_steps(plan.chain, T, (size,)) for size in SURE_ASIDE))
+
+
+def _certain_of(plan: Plan, poses: Iterable[Array]) -> Array | None:
+    """Return the solutions (m, 6) of the first poses (k, 4, 4) of each set that are certain; None where too few are."""
+    count, rows = 0, [np.empty((0, 6))]
+    for some in poses:
+        q, valid, _, flags = plan.solver.many(np.ascontiguousarray(some), 1)
         certain = np.flatnonzero((flags & Flag.UNCERTAIN) == 0)[: VOUCHING - count]
         rows.append(q[certain][valid[certain]])
         count += len(certain)
         if count == VOUCHING:
             return np.concatenate(rows)
     return None
+
+
+def _certain_around(plan: Plan, postures: Array) -> Array | None:
+    """Return the solutions (m, 6) of poses that postures a little beside some (k, 6) have, where they are certain."""
+    rng = np.random.default_rng(31)
+    which = postures[rng.integers(len(postures), size=2 * VOUCHING)]
+    ways = rng.standard_normal(which.shape) * plan.chain.joints.unit
+    return _certain_of(plan, (plan.chain.native.fk(which + size * ways) for size in SURE_ASIDE))
 
 
 def all_there(plan: Plan, T: Array, rows: Array, flag: int) -> bool:
@@ -253,6 +269,12 @@ def vouched(
     if counted_by_special(plan, T, rows):
         return True
     back = _led_back(plan, T)
+    if back is None and plan.direct and not plan.arms_beside:
+        # at the edge of reach nearly all poses beside have none: those that postures beside what was found have do not
+        points = [rows, *(motion.at(u)[None] for motion in motions for u in PLACES)]
+        every = np.concatenate(points)
+        beside = _certain_around(plan, every) if len(every) else None
+        back = None if beside is None else _onto(plan, T, beside)
     if back is None:
         return False
     if len(rows):
@@ -269,6 +291,11 @@ def _led_back(plan: Plan, T: Array) -> Array | None:
     beside = _certain_beside(plan, T)
     if beside is None or not (len(beside) or plan.arms_beside):
         return None
+    return _onto(plan, T, beside)
+
+
+def _onto(plan: Plan, T: Array, beside: Array) -> Array:
+    """Return to what (m, n) of T solutions beside (k, 6) lead."""
     full = plan.exact.full
     back = newton(full, beside, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
     return back[missed(full, back, T) < HOLDS][:, : plan.n]
