@@ -24,6 +24,7 @@ from pieper.tolerances import (
     CLEARLY_REGULAR,
     HOLDS_EXACTLY,
     NEARLY_ZERO,
+    ON_FIRST_AXIS,
     PLAIN_MISS,
     PRECISE_RANK,
     SAME_AFTER_CUT,
@@ -335,10 +336,10 @@ def overlooked(plan: Plan, poses: Array) -> Bools:
     the poses themselves too, and however it is filled up.
     """
     aside = side_steps(plan.chain, poses, (CAREFUL_ASIDE,))
+    found = _on_first_axis(plan, poses)
     if not plan.refilled:
         valid = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[1]
-        return np.any(valid.reshape(len(poses), -1), axis=1)
-    found = np.zeros(len(poses), bool)
+        return found | np.any(valid.reshape(len(poses), -1), axis=1)
     every = np.ascontiguousarray(np.concatenate([poses[:, None], aside], 1).reshape(-1, 4, 4))
     for solver, real in ((plan.solver, plan.reduction.real), *plan.refilled):
         q, valid, _, flags = solver.many(every, 1)
@@ -353,3 +354,18 @@ def overlooked(plan: Plan, poses: Array) -> Bools:
         leads[plain] = off[plain] + CAREFUL_ASIDE > PLAIN_MISS * (s[:, -1] / s[:, 0]) ** 2
         found |= np.any(leads.reshape(len(poses), -1), axis=1)
     return found
+
+
+def _on_first_axis(plan: Plan, poses: Array) -> Bools:
+    """Return which positions of poses (N, 4, 4) lie on the axis of a first joint that turns (N,).
+
+    That joint may stand anywhere there. Where the arm reaches one height on the axis alone it reaches a cone's outside
+    around it, which may be so flat that no pose beside has a solution.
+    """
+    chain = plan.exact.full
+    if plan.task != "position" or chain.prismatic[0]:
+        return np.zeros(len(poses), bool)
+    point, axis = chain.points[0], chain.axes[0]
+    away = poses[:, :3, 3] - point
+    across = np.linalg.norm(np.cross(away, axis), axis=1)
+    return across <= ON_FIRST_AXIS * (np.linalg.norm(away, axis=1) + np.linalg.norm(point))
