@@ -43,7 +43,21 @@ def most_of(arm: Arm, poses: int, rng: np.random.Generator) -> int:
     return int(many.valid.sum(1)[(many.flag & 3) == 0].max(initial=0))
 
 
-KINDS = ["RRRRR", "PRRRR", "RPRRR", "RRPRR", "RRRPR", "RRRRP", "PRRRP", "RPRPR"]
+KINDS = [
+    "RRRRR",
+    "PRRRR",
+    "RPRRR",
+    "RRPRR",
+    "RRRPR",
+    "RRRRP",
+    "PRRRP",
+    "RPRPR",
+    "RPPRR",
+    "PPRRR",
+    "RRPPR",
+    "PRRR",
+    "RRRP",
+]
 
 
 def never_more(kinds: str, arms: int, poses: int, seed: int) -> None:
@@ -67,3 +81,19 @@ def test_no_pose_of_an_arm_of_five_joints_has_more(kinds):
 @pytest.mark.parametrize("kinds", KINDS)
 def test_none_of_many_poses_of_an_arm_of_five_joints_has_more(kinds):
     never_more(kinds, 12, 1000, seed=8)
+
+
+def test_two_parallel_turns_beside_slides_are_counted_and_a_double_root_of_them_is_certain():
+    rows = [(0, H, 0, 2.9194), (0.3, 0.5705, 0, 0), (0.2372, 1.5016, 0, 0), (-0.2, 0, 0, H), (0, np.pi, 0, H)]
+    arm = made("RPPRR", rows)
+    assert arm.plan_for("pose").count.most == 2
+    sols = arm.ik(arm.fk([0.0, -0.3, 0.5, H, -2.03205496]), task="pose")
+    assert sols.status == Status.SOLVED and sols.multiplicity.tolist() == [2]
+
+
+def test_self_motions_for_a_position_and_axis_are_certain_by_postures_beside_them():
+    rows = [(0.5, 0, 0, 0.8045), (0.5, -H, 0, 0), (0.5, H, 0.4, H), (0.5, 0, 0.2, 0), (0.4649, H, 0.7164, 0)]
+    arm = made("RRRPR", rows)
+    T = arm.fk([-H, 2.46374024, np.pi, 0.5, H])
+    sols = arm.ik(T, task="position+axis")
+    assert sols.status == Status.SINGULAR and len(sols.self_motions) == 2

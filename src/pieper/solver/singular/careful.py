@@ -219,12 +219,27 @@ def _certain_of(plan: Plan, poses: Iterable[Array]) -> Array | None:
     return None
 
 
-def _certain_around(plan: Plan, postures: Array) -> Array | None:
-    """Return the solutions (m, 6) of poses that postures a little beside some (k, 6) have, where they are certain."""
+def _certain_around(plan: Plan, T: Array, postures: Array) -> Array | None:
+    """Return the solutions (m, 6) of poses near T that postures a little beside some (k, n) have, where certain."""
     rng = np.random.default_rng(31)
     which = postures[rng.integers(len(postures), size=2 * VOUCHING)]
     ways = rng.standard_normal(which.shape) * plan.chain.joints.unit
-    return _certain_of(plan, (plan.chain.native.fk(which + size * ways) for size in SURE_ASIDE))
+    return _certain_of(plan, (_turned_as(plan, T, plan.chain.native.fk(which + size * ways)) for size in SURE_ASIDE))
+
+
+def _turned_as(plan: Plan, T: Array, poses: Array) -> Array:
+    """Return poses (k, 4, 4) that are turned as near to T as the task leaves them free."""
+    if plan.task == "pose":
+        return poses
+    out = np.array(poses)
+    out[:, :3, :3] = T[:3, :3]
+    if plan.task == "position+axis":
+        z, there = T[:3, 2], poses[:, :3, 2]
+        v, c = np.cross(z, there), there @ z
+        K = np.zeros((len(poses), 3, 3))
+        K[:, [2, 0, 1], [1, 2, 0]], K[:, [1, 2, 0], [2, 0, 1]] = v, -v
+        out[:, :3, :3] = (np.eye(3) + K + K @ K / (1 + c)[:, None, None]) @ T[:3, :3]
+    return out
 
 
 def all_there(plan: Plan, T: Array, rows: Array, flag: int) -> bool:
@@ -270,11 +285,11 @@ def vouched(
     if counted_by_special(plan, T, rows):
         return True
     back = _led_back(plan, T)
-    if back is None and plan.direct and not plan.arms_beside:
+    if back is None and plan.whole and not plan.arms_beside:
         # at the edge of reach nearly all poses beside have none: those that postures beside what was found have do not
         points = [rows, *(motion.at(u)[None] for motion in motions for u in PLACES)]
         every = np.concatenate(points)
-        beside = _certain_around(plan, every) if len(every) else None
+        beside = _certain_around(plan, T, every) if len(every) else None
         back = None if beside is None else _onto(plan, T, beside)
     if back is None:
         return False
