@@ -24,6 +24,8 @@ FINE = (1.0, 0.4, 0.15)
 #: How far before the end of a rough front from the first pose a proof is tried first, as parts of the path, and with
 #: what part of the steps that the bounds allow; and how far behind that end it may go on.
 CLOSE, ON = ((0.003, 1.0), (0.003, 0.4), (0.02, 1.0)), 0.01
+#: Part of the steps for all of the way from the first pose to there, where so many points are enough.
+WHOLE = 0.7, 4_000_000
 #: Points that a rough front from the first pose, and that each of the first tries may look at.
 MOST, EACH = 1_500_000, 450_000
 #: Parts of the steps that the bounds allow for all that is reached from a posture that is told, and points then.
@@ -109,6 +111,10 @@ def _close(task: Task, limits: Array, ladder: Rungs, reached: int) -> Iterator[W
     if rough.ended is not Ended.ARRIVED or misses_end(task, rough):
         for before, fine in CLOSE:
             yield Window(max(rough.s - before, 0.0), min(rough.s + ON, 1.0), fine, EACH)
+        fine, most = WHOLE
+        # close before it more may be inside than what comes from the first pose; of smaller steps it takes the square
+        if rough.looked * (ROUGH / fine) ** 2 < most:
+            yield Window(0.0, min(rough.s + ON, 1.0), fine, most)
     # from a posture that is told less is reached than from anything that is inside the limits
     for way, back in ((task, False), (backwards(task), True)):
         if way.ends[0] is None:
