@@ -166,6 +166,6 @@ class AlongPaths(AtScale):
             return " and ".join(self.distance(q, scene).pair)
 
         def at_most(q: Array, radius: Array) -> Array:
-            return within.at_most(self._collision_model(scene), q, radius)
+            return within.at_most(self.collision_model(scene), q, radius)
 
         return Keep(ratio, room, away, is_clear, nearest, at_most)

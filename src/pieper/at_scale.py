@@ -128,7 +128,7 @@ class AtScale:
         """
         from pieper.collision.distance import distance
 
-        return distance(self._collision_model(scene), self._joints(q))
+        return distance(self.collision_model(scene), self._joints(q))
 
     def clear(
         self,
@@ -156,7 +156,7 @@ class AtScale:
         from pieper.tolerances import CLEARANCE_GAP
 
         said = q_path if isinstance(q_path, str) else joint_points(q_path)
-        model, path = self._collision_model(scene), self._joints(said, "the path")
+        model, path = self.collision_model(scene), self._joints(said, "the path")
         return clear(model, path, margin, gap=CLEARANCE_GAP if gap is None else gap)
 
     def clearance(
@@ -176,11 +176,11 @@ class AtScale:
         from pieper.motion.timed_path import joint_points
 
         said = q_path if isinstance(q_path, str) else joint_points(q_path)
-        model, path = self._collision_model(scene), self._joints(said, "the path")
+        model, path = self.collision_model(scene), self._joints(said, "the path")
         return profile(model, path, margin)
 
-    def _collision_model(self, scene: Scene | None) -> Model:
-        """Return what must keep apart; made once a scene."""
+    def collision_model(self, scene: Scene | None) -> Model:
+        """Return what must keep apart, as distances are computed of it; made once a scene."""
         from pieper.collision.doubtful import remark_doubtful_scene
         from pieper.collision.model import model_of
         from pieper.collision.scene import EMPTY, Scene
@@ -306,7 +306,7 @@ class AtScale:
         if scene is not None:
             from pieper.maps.around import Around
 
-            around = Around(self.description, self.chain, self.bodies, self._collision_model(scene).scene)
+            around = Around(self.description, self.chain, self.bodies, self.collision_model(scene).scene)
         plan = task_of_samples(self.plan_for, task, orientations)
         return reach_map(plan, box, step, orientations, symmetry, store, executor, progress, measure, around)
 

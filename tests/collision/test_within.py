@@ -28,7 +28,7 @@ ARMS = [
 def test_no_posture_near_is_farther_from_everything_than_the_bound(name, radius):
     arm = pieper.load(name)
     rng = np.random.default_rng([7, ARMS.index(name), int(1000 * radius)])
-    model = arm._collision_model(SCENE)
+    model = arm.collision_model(SCENE)
     low, high = np.clip(arm.limits, -3, 3).T
     q = rng.uniform(low, high, (40, arm.n))
     bound = at_most(model, q, np.full(len(q), radius))

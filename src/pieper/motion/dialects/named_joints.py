@@ -14,7 +14,7 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.words_by_number import plural
 
 #: What one of a unit is in rad or m.
-UNITS = {"deg": np.pi / 180, "rad": 1.0, "mm": 1e-3, "m": 1.0}
+UNITS = {"deg": np.pi / 180, "rad": 1.0, "mm": 1 / 1000, "m": 1.0}
 LENGTHS = ("mm", "m")
 _HEAD = re.compile(r"(?P<joint>.+)_(?P<unit>deg|rad|mm|m)(?P<per>_per_s[23]?)?")
 _ORDERS = {None: 0, "_per_s": 1, "_per_s2": 2, "_per_s3": 3}

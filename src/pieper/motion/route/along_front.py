@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Indices
-from pieper.kinematics.joints import TURN
+from pieper.kinematics.joints import turned_from
 from pieper.motion.route.front import Ended, can_be_followed, follow
 from pieper.motion.route.grid import grid
 from pieper.motion.route.ladder import rungs
@@ -105,11 +105,11 @@ def _near(world: Setting, a: Array, b: Array, longest: float) -> Iterator[tuple[
     spread = np.ptp(b[:, : world.n] / joints.unit[: world.n], axis=0)
     j = int(np.argmax(spread))
     turns = not joints.prismatic[j]
-    key = b[:, j] % TURN if turns else b[:, j]
+    key = turned_from(0.0, b[:, j]) if turns else b[:, j]
     order, room = np.argsort(key), longest * joints.unit[j]
     for some in np.array_split(order, -(-len(order) // AT_ONCE)):
         low, wide = key[some[0]] - room, key[some[-1]] - key[some[0]] + 2 * room
-        beyond = (a[:, j] - low) % TURN if turns else a[:, j] - low
+        beyond = (turned_from(low, a[:, j]) if turns else a[:, j]) - low
         near = np.flatnonzero((beyond >= 0) & (beyond <= wide) if joints.coupled is None else np.ones(len(a), bool))
         if len(near):
             yield some, near
