@@ -111,7 +111,9 @@ class AlongPaths(AtScale):
                 words = f"{world.spare} are left to choose; hold joints with arm.with_joints_locked"
             elif self.plan.task != "position" and not said.turns:
                 words = "nothing is left to choose; say a turn that is free"
-            raise PlanError(f"arcs are intervals of one coordinate that is free to choose; of {self.name} {words}.")
+            raise PlanError(
+                f"arcs are intervals of one coordinate that is free to choose; of {self.plan.name} {words}."
+            )
         return arcs_at(world, world.path[0])
 
     def _plans_of(self, free: Freedom) -> tuple[Plan, Plan]:
@@ -139,6 +141,7 @@ class AlongPaths(AtScale):
         return own, with_turn_limits(make_plan(chain.uncoupled, axes, task="position+axis"), free)
 
     def _keep(self, clearance: float, singularity: float, scene: Scene | None) -> Keep:
+        from pieper.collision import within
         from pieper.collision.scene import Scene
         from pieper.motion.route.keep import Keep, checked_number
 
@@ -162,4 +165,7 @@ class AlongPaths(AtScale):
         def nearest(q: Array) -> str:
             return " and ".join(self.distance(q, scene).pair)
 
-        return Keep(ratio, room, away, is_clear, nearest)
+        def at_most(q: Array, radius: Array) -> Array:
+            return within.at_most(self._collision_model(scene), q, radius)
+
+        return Keep(ratio, room, away, is_clear, nearest, at_most)
