@@ -182,6 +182,18 @@ def test_where_the_bound_is_not_met_the_fullest_pose_is_told():
     assert f"the fullest has {most_met(plan)}." in plan.explain()
 
 
+@pytest.mark.parametrize("name", ["doosan-p3020", "dfrobot-rob0036-as-printed"])
+def test_a_level_hand_has_all_the_solutions_that_a_palletizer_can_have(name):
+    """Any other pose leaves the common direction one of its two values: the arm stands beside its first axis."""
+    plan = pieper.load(name).plan
+    assert plan.count.most == 4 == most_met(plan)
+
+
+@pytest.mark.parametrize(("name", "met"), [("denso-cobotta", 14), ("kinova-gen3-lite", 16), ("kinova-mico", 14)])
+def test_the_fullest_pose_is_looked_for_near_full_ones(name, met):
+    assert met <= most_met(pieper.load(name).plan) <= 16
+
+
 def mixed(rng: np.random.Generator, kinds: str) -> pieper.Arm:
     """Return an arm of round and other twists and lengths, at times with three turns that meet in a point."""
     rows = [

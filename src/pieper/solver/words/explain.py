@@ -16,7 +16,8 @@ def how_many(plan: Plan) -> list[str]:
     if met >= count.most > 1:
         said += ["There are poses that have them all."]
     elif met < count.most:
-        said += [f"Of the poses of {POSTURES:,} postures spread over all joints, the fullest has {met}."]
+        near = f"{POSTURES:,} postures spread over all joints, and of others near the fullest"
+        said += [f"Of the poses of {near}, the fullest has {met}."]
     return said
 
 
