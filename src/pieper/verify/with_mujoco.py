@@ -45,9 +45,7 @@ class MuJoCo:
         for j, value in ties.held.items():
             self._rest[self._model.jnt_qposadr[j]] = value
         # a follower may follow a follower: as many rounds as there are followers reach the last
-        self._follow = [(j, known[mimic.joint], mimic) for j, mimic in ties.mimics.items()] * len(
-            ties.mimics
-        )
+        self._follow = [(j, known[mimic.joint], mimic) for j, mimic in ties.mimics.items()] * len(ties.mimics)
         self.words = (
             f"{said}; poses are `xpos` and `xmat`, Jacobians `mj_jac` at the tool point, linear rows first, both "
             "turned into the base frame. It has no inverse kinematics of its own: Newton's method runs on its poses "
