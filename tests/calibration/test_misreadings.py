@@ -22,9 +22,9 @@ def case(name, seed=5):
     return arm, q, noisy(planted(arm, rng).fk(q), rng), rng
 
 
-def scaled(Y):
+def scaled(Y, many=1e3):
     out = Y.copy()
-    out[:, :3, 3] *= 1e3
+    out[:, :3, 3] *= many
     return out
 
 
@@ -325,3 +325,39 @@ def test_directions_that_are_not_seen_are_said_in_the_base_frame():
     q[:, 3:] = q[0, 3:]
     told = arm.calibrate(q, noisy(planted(arm, rng).fk(q), rng)).explain()
     assert " tilt " in told and "in the base frame with all joints at zero" in told
+
+
+@pytest.mark.parametrize(("unit", "many"), [("decimetres", 10.0), ("centimetres", 100.0), ("inches", 1 / 0.0254)])
+@pytest.mark.parametrize("name", ["universal-robots-ur5e", "denso-vp6242"])
+def test_an_arm_of_another_size_is_refused_with_the_unit(name, unit, many):
+    arm, q, Y, _ = case(name)
+    for kind, data in (("pose", scaled(Y, many)), ("position", many * Y[:, :3, 3])):
+        with pytest.raises(pieper.InputError, match=unit) as caught:
+            arm.calibrate(q, data, kind=kind, sigma=NOISE)
+        assert caught.value.unit == unit and abs(caught.value.larger / many - 1) < 0.05
+
+
+def test_postures_that_never_touched_the_plane_do_not_shrink_the_arm_to_a_point():
+    arm, q, _, _ = case("universal-robots-ur5e")
+    with pytest.raises(pieper.InputError, match="shrunk to a point"):
+        arm.calibrate(q, None, kind="plane", sigma=1e-4)
+
+
+def test_an_arm_whose_axes_turned_to_explain_the_data_is_refused():
+    arm, q, Y, _ = case("universal-robots-ur5e", 0)
+    with pytest.raises(pieper.InputError, match=r"another arm|belong together"):
+        arm.calibrate(q + 20.0, Y, sigma=NOISE)
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_zeros_a_third_of_a_radian_off_and_a_longer_tool_are_no_other_arm(name):
+    arm, q, Y, rng = case(name)
+    off = rng.uniform(-0.35, 0.35, arm.n) * np.where(arm.chain.prismatic, 0.1, 1.0)
+    longer = Y @ pieper.pose(0.02, 0.01, 0.15)
+    assert arm.calibrate(q + off, longer, sigma=NOISE).held_out.metres < 5e-4
+
+
+def test_lengths_said_far_too_noisy_are_told_though_turns_are_right():
+    arm, q, Y, _ = case("universal-robots-ur5e")
+    assert "Was sigma meant in metres" in arm.calibrate(q, Y, sigma=(50 * NOISE[0], NOISE[1])).explain()
+    assert "Was sigma meant in metres" not in arm.calibrate(q, Y, sigma=NOISE).explain()

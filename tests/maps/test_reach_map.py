@@ -159,15 +159,15 @@ def test_the_store_of_another_map_is_refused(tmp_path):
     arm = pieper.load("denso-vp6242")
     small(arm, store=tmp_path)
     for other, word in (
-        (lambda: small(pieper.load("abb-irb140"), store=tmp_path), "arm_sha256"),
-        (lambda: small(arm.with_limits({"joint_2": (0.0, 1.0)}), store=tmp_path), "arm_sha256"),
-        (lambda: arm.reach_map(BOX, 0.2, (6, 4), store=tmp_path), "step_m"),
-        (lambda: arm.reach_map(BOX, 0.25, (6, 5), store=tmp_path), "turns"),
+        (lambda: small(pieper.load("abb-irb140"), store=tmp_path), "abb-irb140 asked"),
+        (lambda: small(arm.with_limits({"joint_2": (0.0, 1.0)}), store=tmp_path), "limits"),
+        (lambda: arm.reach_map(BOX, 0.2, (6, 4), store=tmp_path), "step"),
+        (lambda: arm.reach_map(BOX, 0.25, (6, 5), store=tmp_path), "orientations"),
     ):
         with pytest.raises(pieper.InputError, match=word):
             other()
     (tmp_path / "map.json").write_text("{")
-    with pytest.raises(pieper.InputError, match="cannot be used"):
+    with pytest.raises(pieper.InputError, match="does not say which map"):
         small(arm, store=tmp_path)
 
 
@@ -237,7 +237,7 @@ def test_sampled_orientations_of_a_palletizer_are_refused_and_its_own_are_asked(
 
 def test_a_page_that_says_of_no_map_is_refused(tmp_path):
     (tmp_path / "map.json").write_text("[]")
-    with pytest.raises(pieper.InputError, match="cannot be used"):
+    with pytest.raises(pieper.InputError, match="does not say which map"):
         pieper.load("denso-vp6242").reach_map(((0, 1), (0, 1), (0, 1)), 0.5, (4, 1), store=tmp_path)
 
 

@@ -23,8 +23,11 @@ from pieper.cli.options import TakesNumbers, as_json, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import say, short
 from pieper.cli.status import DONE
+from pieper.cli.stopping import told
 from pieper.cli.units import Units
+from pieper.maps.store import finished_tiles
 from pieper.tolerances import RELATIVE_ROUNDING, SUSPICIOUSLY_SMALL
+from pieper.words_by_number import plural
 
 
 class _Progress:
@@ -159,7 +162,12 @@ def command(
             count = min(workers, os.cpu_count() or 1)
             executor = stack.enter_context(ProcessPoolExecutor(count, initializer=end_with_parent))
         progress = _Progress() if sys.stderr.isatty() and not json else None
-        found = arm.reach_map(sides, step * units.metres, executor=executor, progress=progress, scene=around, **asked)
+        try:
+            found = arm.reach_map(
+                sides, step * units.metres, executor=executor, progress=progress, scene=around, **asked
+            )
+        except KeyboardInterrupt as stop:
+            raise told(stop, _what_is_kept(out)) from stop
     for line in _widened(found.grid.shape, found.grid.step, sides, units):
         print(f"pieper: note: {line}", file=sys.stderr)
     if save:
@@ -173,3 +181,11 @@ def command(
         return DONE
     say(found.explain())
     return DONE
+
+
+def _what_is_kept(out: str) -> str:
+    """Return what an interrupted map leaves behind."""
+    if not out:
+        return "interrupted; nothing of the map is kept. With --out DIR the same command goes on where it was."
+    tiles = plural(finished_tiles(Path(out)), "finished tile")
+    return f"interrupted; {tiles} in {out}: the same command goes on there."
