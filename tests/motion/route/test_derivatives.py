@@ -40,7 +40,7 @@ def test_the_blocks_are_the_differences_of_the_slope(turn_step, margin):
     """Nothing pulls a pose here and every coordinate is free: the cost's own second derivative is left, exactly."""
     shape, x = route(turn_step)
     Z = np.broadcast_to(np.eye(x.shape[1]), (N, x.shape[1], x.shape[1]))
-    blocks, beside = _bend(shape, x, Z, np.zeros_like(x), 0.7, margin)
+    blocks, beside = _bend(shape, x, Z, np.zeros_like(x), np.zeros(N), 0.7, margin)
     v, h = np.random.default_rng(4).standard_normal(x.shape), 1e-6
     found = np.einsum("kab,kb->ka", blocks, v)
     found[:-1] += np.einsum("kab,kb->ka", beside, v[1:])

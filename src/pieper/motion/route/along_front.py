@@ -83,7 +83,7 @@ def _cheapest(task: Task, stations: list[Array], longest: float) -> Array | None
     for a, b in zip(stations[:-1], stations[1:], strict=True):
         least, best = np.full(len(b), np.inf), np.zeros(len(b), np.int64)
         for some, near in _near(world, a, b, longest):
-            e = world.chain.joints.difference(b[some, None], a[None, near])
+            e = world.chain.joints.way(b[some, None], a[None, near])
             size = np.abs(e / unit)[..., arm].max(-1)
             steps = (np.sqrt(weights) * np.abs(e)).max(-1) if task.largest else (weights * e * e).sum(-1)
             total = np.where(size <= longest, steps + cost[near], np.inf)
@@ -96,7 +96,7 @@ def _cheapest(task: Task, stations: list[Array], longest: float) -> Array | None
     for before in reversed(came):
         chain.append(int(before[chain[-1]]))
     x = np.array([points[k] for points, k in zip(stations, reversed(chain), strict=True)])
-    return x[0] + np.vstack([np.zeros(world.m), np.cumsum(world.chain.joints.difference(x[1:], x[:-1]), axis=0)])
+    return x[0] + np.vstack([np.zeros(world.m), np.cumsum(world.chain.joints.way(x[1:], x[:-1]), axis=0)])
 
 
 def _near(world: Setting, a: Array, b: Array, longest: float) -> Iterator[tuple[Indices, Indices]]:

@@ -109,7 +109,7 @@ def _whole(setting: Setting, q: Array, rows: Array, valid: Bools) -> Array:
     out: list[Array] = []
     for k in range(len(q)):
         now = np.concatenate([q[k], out[-1][n:] if out else np.zeros(setting.m - n)])
-        gap = joints.difference(rows[k], now) / joints.unit
+        gap = joints.difference(rows[k], now)
         far = np.linalg.norm(gap[:, :n], axis=1) / NO_LOOK_BETWEEN + np.linalg.norm(gap[:, n:], axis=1)
         best = int(np.argmin(np.where(valid[k], far, np.inf)))
         out.append(np.concatenate([q[k], now[n:] + (gap[best] * joints.unit)[n:]]))
