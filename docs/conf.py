@@ -15,6 +15,7 @@ from pieper.document import identity  # noqa: E402
 
 project = "pieper"
 author = "the authors of pieper"
+html_show_copyright = False
 version = release = pieper.__version__
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "drawn"]
 exclude_patterns = ["**/README.md"]

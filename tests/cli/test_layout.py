@@ -28,7 +28,7 @@ ARMS = {
 def run(capsys, monkeypatch):
     def call(*words, width=None):
         for room in (layout, output):
-            monkeypatch.setattr(room, "terminal_width", lambda: width)
+            monkeypatch.setattr(room, "terminal_width", lambda *_: width)
         with pytest.raises(SystemExit):
             main([str(w) for w in words])
         return capsys.readouterr().out
@@ -167,3 +167,16 @@ def test_the_fewest_lines_are_taken_whatever_the_columns_are():
             assert max(map(len, out.splitlines())) <= width
             assert not tokens(table("", columns, rows, None).replace("─", "")) - tokens(out.replace("─", ""))
             assert len(out.splitlines()) <= len(table("", columns, rows, width - 6).splitlines())
+
+
+@pytest.mark.parametrize("width", [30, 40, 58, 80, 130])
+@pytest.mark.parametrize("command", ["", "ik", "calibrate", "program"])
+def test_help_fits_the_terminal_and_loses_no_word(run, monkeypatch, command, width):
+    def said(columns):
+        monkeypatch.setenv("COLUMNS", str(columns))
+        return run(*([command] if command else []), "--help")
+
+    out = said(width)
+    longest = max(map(len, out.split()))
+    assert max(map(len, out.splitlines())) <= max(width, longest + 4)
+    assert "".join(said(110).split()) == "".join(out.split())

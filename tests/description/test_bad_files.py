@@ -92,3 +92,22 @@ def test_what_is_no_urdf_is_told_with_a_cure(tmp_path, text, words):
     file.write_text(text, encoding="utf-8")
     with pytest.raises(pieper.InputError, match=words):
         pieper.load(file)
+
+
+def test_a_file_that_is_not_there_is_told_with_what_may_be_meant(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "six.urdf").write_text(robot(joint("j", "a", "b")))
+    for source, words in (
+        ("sxi.urdf", "there is no file 'sxi.urdf'. Did you mean 'six.urdf'"),
+        ("https://example.org/six.urdf", "Fetch it"),
+        ("package://arm/six.urdf", "path of the file itself"),
+        ((tmp_path / "six.urdf").read_text(), "the text of a file: write it into one"),
+        ("nothing/at/all.urdf", "there is no file 'nothing/at/all.urdf'.$"),
+    ):
+        with pytest.raises(pieper.InputError, match=words) as refused:
+            pieper.load(source)
+        assert len(str(refused.value)) < 200
+    pieper.load("six.urdf").save("mine")  # no ending: a robot file, which a bare name does not mean
+    with pytest.raises(pieper.InputError, match="no arm 'mine'.*a file of that name: say ./mine."):
+        pieper.load("mine")
+    assert pieper.load("./mine").n == 1

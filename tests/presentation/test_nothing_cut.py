@@ -24,6 +24,9 @@ def hangs_over(figure) -> float:
             if axis.get_visible() and axis.label.get_text():
                 box = axis.label.get_window_extent(renderer)
                 worst = max(worst, edge.x0 - box.x0, edge.y0 - box.y0, box.x1 - edge.x1, box.y1 - edge.y1)
+        if axes.title.get_text():
+            box = axes.title.get_window_extent(renderer)
+            worst = max(worst, edge.x0 - box.x0, box.x1 - edge.x1, box.y1 - edge.y1)
     return worst
 
 

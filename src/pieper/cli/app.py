@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import shutil
+from collections.abc import Sequence
 from importlib import import_module
 
 import click
+
+#: Columns of a terminal from which on an option's words stand beside it.
+NARROW = 60
 
 #: Command -> what it does, as the list of commands says it.
 COMMANDS = {
@@ -29,8 +34,34 @@ COMMANDS = {
 }
 
 
+class Help(click.HelpFormatter):
+    """Help that fits a narrow terminal too: an option's words stand beneath it where they have no room beside it."""
+
+    def __init__(self, indent_increment: int = 2, width: int | None = None, max_width: int | None = None) -> None:
+        columns = shutil.get_terminal_size().columns
+        super().__init__(indent_increment, columns - 2 if width is None and columns < NARROW else width, max_width)
+
+    def write_dl(self, rows: Sequence[tuple[str, str]], col_max: int = 30, col_spacing: int = 2) -> None:
+        """Write a list of terms and their words."""
+        if self.width + 2 >= NARROW:
+            super().write_dl(rows, col_max, col_spacing)
+            return
+        for term, words in rows:
+            for text, more in ((term, 0), (words, self.indent_increment)):
+                indent = " " * (self.current_indent + more)
+                self.write(click.wrap_text(text, self.width, indent, indent) + "\n")
+
+
+class Context(click.Context):
+    """A call whose help is written so."""
+
+    formatter_class = Help
+
+
 class Commands(click.Group):
     """The group of all commands."""
+
+    context_class = Context
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return their names in the order in which one meets them."""
@@ -38,7 +69,11 @@ class Commands(click.Group):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """Import a command."""
-        return import_module(f"pieper.cli.{cmd_name}").command if cmd_name in COMMANDS else None
+        if cmd_name not in COMMANDS:
+            return None
+        command: click.Command = import_module(f"pieper.cli.{cmd_name}").command
+        command.context_class = Context
+        return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the list without importing any."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -15,6 +14,7 @@ from pieper import InputError
 from pieper.cli import pipes
 from pieper.cli.arguments import number, read_text
 from pieper.cli.decimal_sign import DecimalSign
+from pieper.cli.failure import note
 from pieper.cli.number_table import cells_of, delimiter_of, name_and_unit
 from pieper.cli.options import as_json, order, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
@@ -83,7 +83,7 @@ def command(
     q = _joints(arm, table, units)
     measured = _measured(table, kind, units, order)
     if unused := [head for j, head in enumerate(table.heads) if j not in table.used]:
-        print(f"pieper: note: not used of {table.name}: {', '.join(unused)}.", file=sys.stderr)
+        note(f"not used of {table.name}: {', '.join(unused)}.")
     try:
         fit = arm.calibrate(
             q,

@@ -132,5 +132,10 @@ def _say(sentence: str) -> None:
     print(sentences(f"pieper: {as_typed(sentence)}", terminal_width(sys.stderr)), file=sys.stderr)
 
 
+def note(sentence: str) -> None:
+    """Say beside the answer what was done with what was typed."""
+    _say(f"note: {sentence}")
+
+
 def _say_warning(message: Warning | str, *_: object, **__: object) -> None:
     _say(f"note: {message}")

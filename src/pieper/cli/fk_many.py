@@ -7,6 +7,7 @@ import sys
 import numpy as np
 
 import pieper
+from pieper.cli.failure import note
 from pieper.cli.joint_file import JointFile
 from pieper.cli.kept_rows import fingerprint, rows_to
 from pieper.cli.many import progress
@@ -43,7 +44,7 @@ def pose_file(arm: pieper.Arm, file: str, units: Units, csv: str) -> int:
             out.put("".join(form % (i, *row, within) for i, row, within in rows))
             out.keep(table.place, done=len(q), beyond=int(np.count_nonzero(~inside)))
     if table.unused:
-        print(f"pieper: note: not used of {file}: {', '.join(table.unused)}.", file=sys.stderr)
+        note(f"not used of {file}: {', '.join(table.unused)}.")
     said = f"{plural(out.done, 'joint vector')}, {out.counts['beyond']:,} of them outside the limits"
     print(f"{said}; written: {csv}" if csv else f"{said}.", file=sys.stderr)
     return DONE

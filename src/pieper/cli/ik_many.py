@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
+from pieper.cli.failure import note
 from pieper.cli.kept_rows import fingerprint, rows_to
 from pieper.cli.many import progress
 from pieper.cli.number_table import refuse_same
@@ -57,7 +58,7 @@ def solve_file(request: Request) -> int:
             without = int(np.count_nonzero(~many.in_limits.any(1)))
             out.keep(poses.place, done=len(block), rows=rows, without=without)
     if poses.unused:
-        print(f"pieper: note: not used of {request.file}: {', '.join(poses.unused)}.", file=sys.stderr)
+        note(f"not used of {request.file}: {', '.join(poses.unused)}.")
     without, rows = out.counts["without"], plural(out.counts["rows"], "row")
     said = f"{plural(out.done, 'pose')}, {without:,} of them without a solution inside the limits; {rows}"
     print(said + (f" written: {request.csv}" if request.csv else "."), file=sys.stderr)
@@ -92,7 +93,7 @@ def _of_positions(request: Request, block: npt.NDArray[np.float64]) -> Request:
         arm.plan_for("position")
     except pieper.PlanError:
         return request
-    print(f"pieper: note: x y z were taken as positions: {arm.name} cannot hold R = I there.", file=sys.stderr)
+    note(f"x y z were taken as positions: {arm.name} cannot hold R = I there.")
     return replace(request, task="position")
 
 

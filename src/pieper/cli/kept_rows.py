@@ -17,6 +17,7 @@ import numpy as np
 
 import pieper
 from pieper import InputError
+from pieper.cli.failure import note
 from pieper.cli.number_table import Place
 from pieper.cli.output import plural
 from pieper.cli.stopping import told
@@ -131,7 +132,7 @@ class KeptRows(Rows):
             raise InputError(f"{self.folder} lacks rows that it had: remove it to begin anew.", path=self.folder)
         self.place, self.counts, self.notes = Place(**reached["place"]), reached["counts"], reached["notes"]
         said = f"goes on after {plural(self.done, self.thing)}, whose rows {self.folder} keeps."
-        print(f"pieper: note: {said}", file=sys.stderr)
+        note(said)
         return int(reached["bytes"])
 
     def put(self, text: str) -> None:

@@ -19,6 +19,7 @@ import click
 import pieper
 from pieper import InputError
 from pieper.cli.arguments import numbers
+from pieper.cli.failure import note
 from pieper.cli.options import TakesNumbers, as_json, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import plural, say, short
@@ -167,7 +168,7 @@ def command(
         except KeyboardInterrupt as stop:
             raise told(stop, _what_is_kept(out)) from stop
     for line in _widened(found.grid.shape, found.grid.step, sides, units):
-        print(f"pieper: note: {line}", file=sys.stderr)
+        note(line)
     if save:
         found.save(save)
     if picture:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,7 @@ import numpy as np
 
 import pieper
 from pieper.cli.arguments import ALSO, NOTATIONS, numbers
+from pieper.cli.failure import note
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
 Command = Callable[..., Any]
@@ -106,8 +106,8 @@ def takes_arm(command: Command, *, default: str | None = None) -> Command:
     @functools.wraps(command)
     def with_arm(arm: str, base: str | None, tip: str | None, missing_limits: str, **rest: Any) -> Any:
         loaded = pieper.load(arm, base=base, tip=tip, missing_limits=missing_limits)
-        for note in loaded.notes:
-            print(f"pieper: note: {note}", file=sys.stderr)
+        for said in loaded.notes:
+            note(said)
         return command(arm=loaded, **rest)
 
     made: Command = with_arm

@@ -9,7 +9,7 @@ from pieper.description.dh import Description
 from pieper.description.rewrite import rewritten
 from pieper.description.robotparse import LARGEST_FILE, parse
 from pieper.description.robottext import dumps
-from pieper.description.wholefile import replace_file
+from pieper.description.wholefile import no_file, replace_file
 from pieper.errors import InputError
 
 __all__ = ["dumps", "loads", "read", "write"]
@@ -32,11 +32,7 @@ def read(path: str | Path) -> Description:
         with path.open("rb") as stream:
             data = stream.read(LARGEST_FILE + 1)
     except FileNotFoundError:
-        import difflib
-
-        near = difflib.get_close_matches(path.name, _names_in(path.parent), n=1)
-        hint = f" Did you mean {str(path.parent / near[0])!r}?" if near else ""
-        raise InputError(f"there is no file {str(path)!r}.{hint}", file=str(path)) from None
+        raise no_file(path) from None
     except OSError as error:
         raise InputError(f"{str(path)!r} cannot be read: {error.strerror}.", file=str(path)) from None
     return parse(data, str(path))
@@ -88,10 +84,3 @@ def _existing_text(target: Path) -> str | None:
         ) from None
     except OSError as error:
         raise InputError(f"{str(target)!r} cannot be written: {error.strerror}.", file=str(target)) from None
-
-
-def _names_in(folder: Path) -> list[str]:
-    try:
-        return [entry.name for entry in folder.iterdir()][:1000]
-    except OSError:
-        return []

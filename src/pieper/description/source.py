@@ -61,7 +61,12 @@ def read(
     ending = path.suffix.lower()
     is_file = ending in _FILES or os.sep in text or (ending and path.is_file())
     if not is_file:
-        return _chosen(catalog.load(text), base, tip)
+        try:
+            return _chosen(catalog.load(text), base, tip)
+        except InputError as error:
+            if path.is_file():
+                raise InputError(f"{error} There is a file of that name: say ./{text}.", **error.data) from None
+            raise
     if ending in _REFUSED:
         raise InputError(f"{text}: {_REFUSED[ending]}", file=text)
     if ending == ".urdf":

@@ -17,6 +17,7 @@ from pieper.description.ends import find_ends
 from pieper.description.shapes import Unmeasured
 from pieper.description.tree import Joint, Mimic, Tree, some
 from pieper.description.treearm import arm_of
+from pieper.description.wholefile import no_file
 from pieper.errors import InputError
 from pieper.kinematics.orientation import rotation
 from pieper.tolerances import ALL_BUT_ZERO, NO_DIRECTION, REMARKABLE, ROUNDING
@@ -80,7 +81,7 @@ def bytes_of(path: Path, most: int, kind: str) -> bytes:
         with path.open("rb") as stream:
             data = stream.read(most + 1)
     except FileNotFoundError:
-        raise InputError(f"there is no file {str(path)!r}.", file=str(path)) from None
+        raise no_file(path) from None
     except OSError as error:
         raise InputError(f"{str(path)!r} cannot be read: {error.strerror}.", file=str(path)) from None
     if len(data) > most:

@@ -62,17 +62,18 @@ def space_axes(
         axis.set_label_text(f"{name}, mm", color=INK, fontsize=9)
     if title:
         axes.set_title(title, color=INK, fontsize=11, loc="left")
-    _placed(figure)
+    placed(figure)
     return axes
 
 
-def _placed(figure: Figure) -> None:
+def placed(figure: Figure) -> None:
     """Lay a figure of 3-D pictures alone out by inches: what surrounds each is known, and asking it costs a drawing."""
     figure.set_layout_engine(None)
     width, height = figure.get_size_inches()
     place: Any = figure.axes[0].get_subplotspec()
     rows, columns = place.get_gridspec().get_geometry()
-    title = TITLE if rows * columns > 1 or figure.axes[0].get_title(loc="left") else 0.0
+    titled = any(figure.axes[0].get_title(loc=where) for where in ("left", "center"))
+    title = TITLE if rows * columns > 1 or titled else 0.0
     tall = height / rows - title
     # the lower end of a picture is empty but for its labels: it may hang over the edge, and over the title below
     hangs = HANGS * tall - LABELS

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pieper.drawing.draw3d import draw_arm, draw_axes_lines, draw_frame, draw_shadow, space_axes
+from pieper.drawing.draw3d import draw_arm, draw_axes_lines, draw_frame, draw_shadow, placed, space_axes
 from pieper.drawing.skeleton import Skeleton, extent, skeleton
 from pieper.drawing.style import AXES, COLOURS, FAINT, INK, MM, new_figure
 from pieper.kinematics.forward import checked_joints
@@ -157,6 +157,7 @@ def solutions_figure(
         for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
             axis.set_label_text("")
             axis.set_ticklabels([])
+    placed(figure)  # a title needs its room, of one picture too
     return figure
 
 
