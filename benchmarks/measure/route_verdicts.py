@@ -2,7 +2,7 @@
 
 Usage: python -m benchmarks.measure.route_verdicts [--seconds 150] [--seams 100] [--arm NAME ...] [--costs 5]
 
-Seams are rings and lines before ten arms with a tool tilted off joint 6, the turn free; limits as the arms ship and,
+Seams are rings and lines before twenty arms with a tool tilted off joint 6, the turn free; limits as the arms ship and,
 every third seam, those of one joint narrowed. FOUND is looked at point by point and ten times between points, by Newton
 from the route's own neighbours; IMPOSSIBLE by `oracle.turns.flooded`, from everything inside the limits where its proof
 begins. Seams on which what the poses leave free is nearly singular anywhere (pole poses) are counted apart. What was
@@ -40,6 +40,16 @@ ARMS = (
     "denso-vs060",
     "universal-robots-ur5e",
     "universal-robots-ur10e",
+    "staubli-tx2-90",
+    "kawasaki-rs007n",
+    "nachi-mz07",
+    "mitsubishi-rv4fr",
+    "comau-ns16hand",
+    "unimation-puma-560",
+    "epson-c4-a601s",
+    "abb-irb4600-40-255",
+    "kuka-kr10-r1100-2",
+    "doosan-m1013",
 )
 FREE = pieper.Freedom()
 #: Turns of the flood, and places of a seam at which it looks: as many as keep its steps small.

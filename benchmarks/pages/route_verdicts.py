@@ -11,7 +11,7 @@ from benchmarks.kept import read
 HEAD = """\
 # Verdicts of routes
 
-Random seams before ten arms: rings and lines of 24 points with a tool tilted off joint 6, the turn free, limits as
+Random seams before twenty arms: rings and lines of 24 points with a tool tilted off joint 6, the turn free, limits as
 the arms ship and, every third seam, those of one joint narrowed. Measured by `python -m
 benchmarks.measure.route_verdicts`, which goes on where it was left; written by `make pages`.
 

@@ -121,15 +121,16 @@ nb::tuple front(const Forward& arm, nb::handle joints, nb::handle limits, nb::ha
   const npy_intp count = static_cast<npy_intp>(found.stretch.size());
   nb::object stretch = new_array(1, &count, NPY_INT64);
   std::copy(found.stretch.begin(), found.stretch.end(), static_cast<std::int64_t*>(PyArray_DATA(as_array(stretch))));
-  return nb::make_tuple(static_cast<int>(found.end), found.at, rows, within, stretch, found.looked, found.narrowest);
+  return nb::make_tuple(static_cast<int>(found.end), found.at, found.rows_at, rows, within, stretch, found.looked,
+                        found.narrowest);
 }
 
 void bind_route(nb::module_& m) {
-  m.def(
-      "front", &front, nb::arg("chain"), nb::kw_only(), nb::arg("joints"), nb::arg("limits"), nb::arg("poses"),
-      nb::arg("axis"), nb::arg("angle"), nb::arg("seeds"), nb::arg("fine"), nb::arg("most"),
-      "How it ended (0 died, 1 arrived, 2 singular, 3 tired), where, the front's points (k, n) and how far each stands "
-      "for (k,), points of each stretch (below zero: closed), points looked at, the narrowest.");
+  m.def("front", &front, nb::arg("chain"), nb::kw_only(), nb::arg("joints"), nb::arg("limits"), nb::arg("poses"),
+        nb::arg("axis"), nb::arg("angle"), nb::arg("seeds"), nb::arg("fine"), nb::arg("most"),
+        "How it ended (0 died, 1 arrived, 2 singular, 3 tired), where, where it was last told, its points there (k, n) "
+        "and "
+        "how far each stands for (k,), points of each stretch (below zero: closed), points looked at, the narrowest.");
   m.def("ladder", &ladder, nb::kw_only(), nb::arg("q"), nb::arg("valid"), nb::arg("limits"), nb::arg("circle"),
         nb::arg("weights"), nb::arg("longest"), nb::arg("parts"), nb::arg("near"), nb::arg("spot"), nb::arg("on_spot"),
         nb::arg("largest"), nb::arg("slack"), nb::arg("first"), nb::arg("last"),

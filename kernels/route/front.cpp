@@ -13,6 +13,7 @@
 
 #include "route/box.hpp"
 #include "route/self_motion.hpp"
+#include "route/way.hpp"
 
 namespace pieper {
 namespace {
@@ -28,18 +29,26 @@ constexpr double kCover = 0.75, kBeyond = 0.5;
 // at most b s, so that across is at most b s^2 / 2, and s is at most 1.06 d while b d is at most a half.
 constexpr double kSag = 0.6;
 
+// After so much of a twist (rad; lengths) at most all rows are at one pose again, and what two of them have in common is kept once.
+constexpr double kTogether = 0.05;
+
 // Without proof: what is let go beyond the limits, in distances of points, and the longest move.
 constexpr double kRoughly = 0.1, kLongest = 0.3;
 
 struct Row {
   std::vector<Point> points;
   bool closed = false;
+  double part = 0;  // of the way to the next pose
 };
 
 class Front {
  public:
   explicit Front(const FrontAsked& asked)
-      : a(asked), rough(asked.fine > 1), curves(asked.n, asked.links, asked.prismatic, asked.length), ring(asked.n) {
+      : a(asked),
+        rough(asked.fine > 1),
+        way{asked},
+        curves(asked.n, asked.links, asked.prismatic, asked.length),
+        ring(asked.n) {
     std::vector<double> slide(a.n, 0.0), units(a.n, 1.0);
     for (int j = 0; j < a.n; ++j)
       if (curves.slides(j)) units[j] = a.length;
@@ -58,41 +67,24 @@ class Front {
     for (std::int64_t s = 0; s < a.seeds; ++s) {
       Point p;
       for (int j = 0; j < a.n; ++j) p.y[j] = a.seed[s * a.n + j] / (curves.slides(j) ? a.length : 1.0);
-      if (!curves.settle(pose(0, 0.0), p)) {
+      if (!curves.settle(way.pose(0, 0.0), p)) {
         // what is reached and not known would be lost
         found.end = FrontEnd::SINGULAR;
         return found;
       }
       given.push_back(p);
     }
-    found.end = spread(given, pose(0, 0.0), found);
+    found.end = spread(given, way.pose(0, 0.0), found);
     for (std::int64_t k = 0; found.end == FrontEnd::ARRIVED && k + 1 < a.stations; ++k) {
-      double part = 0;
       double t[6];
-      const double size = twist(k, t);
-      while (part < 1 && found.end == FrontEnd::ARRIVED) {
-        double step = 1 - part;
-        step = std::fmin(step, allowed(t));
-        if (step * size < kFrontShortest && step < 1 - part) {
-          found.end = FrontEnd::SINGULAR;
-          break;
-        }
-        if (step > 0.999 * (1 - part)) step = 1 - part;
-        bool carried = false;
-        for (int halving = 0; halving < 12 && !carried; ++halving) {
-          carried = carry(k, part, step, t);
-          if (!carried) step /= 2;
-        }
-        if (!carried) {
-          found.end = FrontEnd::SINGULAR;
-          break;
-        }
-        part = part + step;
-        ++found.steps;
-        found.at = k + part;
-        found.end = settled(pose(k, part), found);
+      const double size = way.twist(k, t);
+      const int parts = std::max(1, static_cast<int>(std::ceil(size / kTogether)));
+      for (int i = 0; i < parts && found.end == FrontEnd::ARRIVED; ++i) {
+        found.rows_at = found.at;
+        found.end = onwards(k, double(i) / parts, i + 1 < parts ? double(i + 1) / parts : 1.0, t, size, found);
       }
     }
+    if (found.end == FrontEnd::ARRIVED || found.end == FrontEnd::DIED) found.rows_at = found.at;
     for (const Row& row : rows) {
       const std::int64_t count = static_cast<std::int64_t>(row.points.size());
       found.stretch.push_back(row.closed ? -count : count);
@@ -108,37 +100,13 @@ class Front {
  private:
   const FrontAsked& a;
   const bool rough;
+  const Way way;
   Curves curves;
   std::optional<Box> box;
   std::vector<std::uint8_t> ring;
   std::vector<Row> rows, next;
   std::vector<Point> images;
   std::int64_t looked = 0;
-
-  Rigid pose(std::int64_t k, double part) const {
-    Rigid T = read_rigid(a.poses + 16 * k, a.length);
-    if (part == 0) return T;
-    const Rigid next = read_rigid(a.poses + 16 * (k + 1), a.length);
-    if (part == 1) return next;
-    const double* u = a.axis + 3 * k;
-    const double angle = part * a.angle[k], c = std::cos(angle), s = std::sin(angle), o = 1 - c;
-    Rigid R = kNoMotion;
-    R.x = {c + o * u[0] * u[0], o * u[0] * u[1] + s * u[2], o * u[0] * u[2] - s * u[1]};
-    R.y = {o * u[0] * u[1] - s * u[2], c + o * u[1] * u[1], o * u[1] * u[2] + s * u[0]};
-    R.z = {o * u[0] * u[2] + s * u[1], o * u[1] * u[2] - s * u[0], c + o * u[2] * u[2]};
-    Rigid out = T * R;
-    out.t = T.t + part * (next.t - T.t);
-    return out;
-  }
-
-  // The twist t (6) to the next pose, base frame, and its size: between two poses it is constant.
-  double twist(std::int64_t k, double* t) const {
-    const Rigid T = read_rigid(a.poses + 16 * k, a.length);
-    const Vec3 d = read_rigid(a.poses + 16 * (k + 1), a.length).t - T.t,
-               u = {a.axis[3 * k], a.axis[3 * k + 1], a.axis[3 * k + 2]}, w = a.angle[k] * turn(T, u);
-    t[0] = d.x, t[1] = d.y, t[2] = d.z, t[3] = w.x, t[4] = w.y, t[5] = w.z;
-    return std::sqrt(dot(d, d) + dot(w, w));
-  }
 
   double spacing(const Point& p) const { return kSpacing * a.fine / p.bend; }
   // How far a twist of size one in the direction that the path has moves a point, to first order.
@@ -186,46 +154,89 @@ class Front {
     return std::sqrt(sum);
   }
 
-  // How far the path may go on at once, in parts of the way to the next pose whose twist is t.
-  double allowed(const double* t) const {
+  // How far the path may go on at once from a row, in parts of the way to the next pose whose twist is t.
+  double allowed(const Row& row, const double* t) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const Row& row : rows)
-      for (const Point& p : row.points) least = std::fmin(least, kTwist * a.fine / (p.bend * speed(p, t)));
+    for (const Point& p : row.points) least = std::fmin(least, kTwist * a.fine / (p.bend * speed(p, t)));
     return least * kFrontSafe;
   }
 
-  // Carries all rows to the pose a step further. False, and nothing is changed, where a step is too long for what is known.
-  bool carry(std::int64_t k, double part, double step, const double* t) {
-    next.clear();
-    const double there = part + step;
-    const Rigid goal = pose(k, there > 1 - kFrontRounding ? 1.0 : there);
-    for (const Row& row : rows) {
-      images.resize(row.points.size());
-      bool all = true;
-      for (std::size_t i = 0; i < row.points.size(); ++i) {
-        const Point& p = row.points[i];
-        Point& q = images[i];
-        q = p;
-        ++looked;
-        for (int j = 0; j < a.n; ++j)
-          for (int c = 0; c < 6; ++c) q.y[j] += step * p.B[j][c] * t[c];
-        if (!curves.settle(goal, q)) return false;
-        const double moved = apart(p, q);
-        if (rough) {
-          if (moved > kLongest) return false;
-        } else {
-          // the carried point is on the same curve as what p and its surroundings become
-          const double delta = moved_by(p, step * speed(p, t) + kFrontRounding),
-                       far = delta + kCover * spacing(p) + moved;
-          if (!(far < 0.9 * q.radius && kCover * spacing(p) + delta < p.radius && far <= kept(q))) return false;
-        }
-        if (a.n > 6) curves.aim(q, p.tangent);
-        all = all && may_be_kept(q);
+  // Carries the rows from one part of the way between two poses to another, each by its own steps: one that swings fast
+  // does not hold up the others. Where one loses its grip all stay as they were.
+  FrontEnd onwards(std::int64_t k, double from, double to, const double* t, double size, FrontFound& found) {
+    std::vector<Row> going = rows, there;
+    for (Row& row : going) row.part = from;
+    double latest = from;
+    while (!going.empty()) {
+      const auto last_of_all =
+          std::min_element(going.begin(), going.end(), [](const Row& a, const Row& b) { return a.part < b.part; });
+      std::swap(*last_of_all, going.back());
+      const Row row = std::move(going.back());
+      going.pop_back();
+      found.at = k + row.part;
+      if (looked > a.most) return FrontEnd::TIRED;
+      double step = std::fmin(to - row.part, allowed(row, t));
+      if (step * size < kFrontShortest && step < to - row.part) return FrontEnd::SINGULAR;
+      if (step > 0.999 * (to - row.part)) step = to - row.part;
+      bool carried = false;
+      for (int halving = 0; halving < 12 && !carried; ++halving) {
+        carried = carry(row, k, step, t);
+        if (!carried) step /= 2;
       }
-      if (!take(row.closed, all, goal)) return false;
+      if (!carried) return FrontEnd::SINGULAR;
+      const double part = step == to - row.part ? to : row.part + step;
+      latest = std::fmax(latest, part);
+      ++found.steps;
+      const Rigid at = way.pose(k, part);
+      for (Row& grown : next) {
+        for (int side = 0; side < 2 && a.n > 6 && !grown.closed; ++side)
+          if (!stretch(grown, side == 0, at)) return FrontEnd::SINGULAR;
+        for (const Point& p : grown.points) found.narrowest = std::fmin(found.narrowest, 1 / p.bend);
+        grown.part = part;
+        (part < to ? going : there).push_back(std::move(grown));
+      }
     }
-    rows.swap(next);
-    return true;
+    found.at = k + latest;
+    rows.clear();
+    for (Row& row : there)
+      if (!known(row)) rows.push_back(std::move(row));
+    return rows.empty() ? FrontEnd::DIED : FrontEnd::ARRIVED;
+  }
+
+  // Whether the rows have each point of another: rows end where nothing is inside, or they would have grown on.
+  bool known(const Row& row) const {
+    std::size_t r = 0, index = 0;
+    return std::all_of(row.points.begin(), row.points.end(), [&](const Point& p) { return covered(p, r, index); });
+  }
+
+  // Carries a row to the pose a step further. False where a step is too long for what is known.
+  bool carry(const Row& row, std::int64_t k, double step, const double* t) {
+    next.clear();
+    const double there = row.part + step;
+    const Rigid goal = way.pose(k, there > 1 - kFrontRounding ? 1.0 : there);
+    images.resize(row.points.size());
+    bool all = true;
+    for (std::size_t i = 0; i < row.points.size(); ++i) {
+      const Point& p = row.points[i];
+      Point& q = images[i];
+      q = p;
+      ++looked;
+      for (int j = 0; j < a.n; ++j)
+        for (int c = 0; c < 6; ++c) q.y[j] += step * p.B[j][c] * t[c];
+      if (!curves.settle(goal, q)) return false;
+      const double moved = apart(p, q);
+      if (rough) {
+        if (moved > kLongest) return false;
+      } else {
+        // the carried point is on the same curve as what p and its surroundings become
+        const double delta = moved_by(p, step * speed(p, t) + kFrontRounding),
+                     far = delta + kCover * spacing(p) + moved;
+        if (!(far < 0.9 * q.radius && kCover * spacing(p) + delta < p.radius && far <= kept(q))) return false;
+      }
+      if (a.n > 6) curves.aim(q, p.tangent);
+      all = all && may_be_kept(q);
+    }
+    return take(row.closed, all, goal);
   }
 
   // Makes rows of the images of one.
@@ -280,25 +291,15 @@ class Front {
     return false;
   }
 
-  // Lets rows grow at their ends as far as they may be inside, and tells how it stands.
-  FrontEnd settled(const Rigid& at, FrontFound& found) {
-    for (std::size_t r = 0; r < rows.size() && a.n > 6; ++r)
-      for (int side = 0; side < 2 && !rows[r].closed; ++side)
-        if (!stretch(r, side == 0, at)) return FrontEnd::SINGULAR;
-    for (const Row& row : rows)
-      for (const Point& p : row.points) found.narrowest = std::fmin(found.narrowest, 1 / p.bend);
-    if (looked > a.most) return FrontEnd::TIRED;
-    return rows.empty() ? FrontEnd::DIED : FrontEnd::ARRIVED;
-  }
-
-  bool stretch(std::size_t r, bool ahead_of, const Rigid& at) {
+  // Lets a row grow at an end as far as it may be inside.
+  bool stretch(Row& row, bool ahead_of, const Rigid& at) {
     double bow[kMostCoordinates] = {};
     std::vector<Point> more;
-    Point here = ahead_of ? rows[r].points.back() : rows[r].points.front();
-    const Point other = ahead_of ? rows[r].points.front() : rows[r].points.back();
+    Point here = ahead_of ? row.points.back() : row.points.front();
+    const Point other = ahead_of ? row.points.front() : row.points.back();
     if (!ahead_of)
       for (double& t : here.tangent) t = -t;
-    const bool some = rows[r].points.size() > 3;
+    const bool some = row.points.size() > 3;
     while (looked <= a.most) {
       Point one;
       if (!ahead(here, at, bow, one)) return false;
@@ -306,18 +307,14 @@ class Front {
       for (int j = 0; j < a.n; ++j) bow[j] = (one.tangent[j] - here.tangent[j]) / step;
       if (!may_be_kept(one)) break;
       if ((some || more.size() > 3) && near(one, other)) {
-        rows[r].closed = true;
+        row.closed = true;
         more.push_back(one);
         break;
       }
-      bool met = false;
-      for (std::size_t o = 0; o < rows.size() && !met; ++o)
-        if (o != r) met = near(one, rows[o].points.front()) || near(one, rows[o].points.back());
       more.push_back(one);
-      if (met) break;  // that row goes on from here
       here = one;
     }
-    auto& points = rows[r].points;
+    auto& points = row.points;
     if (ahead_of) {
       points.insert(points.end(), more.begin(), more.end());
     } else {
@@ -341,10 +338,12 @@ class Front {
       row = rows.size() - 1;
       index = 0;
       for (int side = 0; side < 2 && a.n > 6 && !rows[row].closed; ++side)
-        if (!stretch(row, side == 0, at)) return FrontEnd::SINGULAR;
+        if (!stretch(rows[row], side == 0, at)) return FrontEnd::SINGULAR;
       if (looked > a.most) return FrontEnd::TIRED;
     }
-    return settled(at, found);
+    for (const Row& row : rows)
+      for (const Point& p : row.points) found.narrowest = std::fmin(found.narrowest, 1 / p.bend);
+    return rows.empty() ? FrontEnd::DIED : FrontEnd::ARRIVED;
   }
 
   bool covered(const Point& p, std::size_t& row, std::size_t& index) const {

@@ -35,10 +35,11 @@ enum class FrontEnd : std::int32_t {
 struct FrontFound {
   FrontEnd end = FrontEnd::ARRIVED;
   double at = 0;            // stations and the part of one
+  double rows_at = 0;       // where the front told is: behind `at` where it lost its grip or grew tired
   std::int64_t looked = 0;  // points looked at
-  std::int64_t steps = 0;   // how many times the front was carried on
+  std::int64_t steps = 0;   // how many times a row was carried on
   double narrowest = 0;   // least distance in which the Jacobian could change by as much as itself, of what was reached
-  std::vector<double> q;  // (k, n) the front where it ended
+  std::vector<double> q;  // (k, n) the front
   std::vector<double> within;  // (k) how far each of its points stands for (rad; lengths)
   std::vector<std::int64_t>
       stretch;  // (rows) how many points each stretch of a curve has, below zero where it is closed

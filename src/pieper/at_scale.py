@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from pieper.collision.bodies import Bodies, Said
     from pieper.collision.distance import Distance
     from pieper.collision.model import Model
+    from pieper.collision.profile import Profile
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Swept
     from pieper.description.visuals import Visuals
@@ -35,6 +36,12 @@ if TYPE_CHECKING:
 
 #: How an arm with a linkage is calibrated.
 _BY_AXES = "Calibrate arm.uncoupled(), whose joints are the axes, at q @ arm.coupling.T."
+#: Who solves an arm with a linkage. Code of the axes alone would leave the poses that the linkage holds to its caller:
+#: axes of the uncoupled arm are parallel there.
+_ROWS = (
+    "Ask arm.ik or arm.ik_many for its solutions; on the command line, `pieper ik ARM @poses.csv --csv rows.csv` "
+    "writes those of a table."
+)
 
 
 class AtScale:
@@ -152,6 +159,26 @@ class AtScale:
         model, path = self._collision_model(scene), self._joints(said, "the path")
         return clear(model, path, margin, gap=CLEARANCE_GAP if gap is None else gap)
 
+    def clearance(
+        self, q_path: ArrayLike | JointPath | Motion, scene: Scene | None = None, margin: float = 0.0
+    ) -> Profile:
+        """Return what a path keeps away all along: distances, and what is proved between them; see `clearance_figure`.
+
+        Args:
+            q_path: As of `clear`.
+            scene: What stands around the arm; None for the arm alone.
+            margin: Distance to keep, m.
+
+        Raises:
+            InputError: As of `clear`.
+        """
+        from pieper.collision.profile import profile
+        from pieper.motion.timed_path import joint_points
+
+        said = q_path if isinstance(q_path, str) else joint_points(q_path)
+        model, path = self._collision_model(scene), self._joints(said, "the path")
+        return profile(model, path, margin)
+
     def _collision_model(self, scene: Scene | None) -> Model:
         """Return what must keep apart; made once a scene."""
         from pieper.collision.doubtful import remark_doubtful_scene
@@ -236,7 +263,7 @@ class AtScale:
         """
         from pieper.code.write import write
 
-        self.description.not_linked("code is written for arms of which every axis has a joint")
+        self.description.not_linked("code is written for arms of which every axis has a joint", _ROWS)
         return write(self, language, path, name)
 
     def reach_map(

@@ -19,6 +19,7 @@ from pieper.words_by_number import plural
 if TYPE_CHECKING:
     from pieper.collision.bodies import Bodies
     from pieper.collision.distance import Distance
+    from pieper.collision.profile import Profile
     from pieper.collision.scene import Scene
     from pieper.collision.swept import Swept
     from pieper.motion.route.arcs import Arc
@@ -164,6 +165,10 @@ class Cell:
     ) -> Swept:
         """Prove that a path (N, n) keeps the arm clear of itself and a scene, as `Arm.clear` does; see `distance`."""
         return self._embodied.clear(q_path, scene, margin, gap=gap)
+
+    def clearance(self, q_path: ArrayLike, scene: Scene | None = None, margin: float = 0.0) -> Profile:
+        """Return what a path (N, n) keeps away all along, as `Arm.clearance` does; see `distance`."""
+        return self._embodied.clearance(q_path, scene, margin)
 
     def _solid(self, said: dict[str, Any]) -> Arm:
         """Return the whole arm, with the bodies of the arm it is made of where a scene is said."""

@@ -90,6 +90,50 @@ def test_every_mixture_of_units_is_named_and_its_cure_works(name, units):
         assert ("in degrees" in str(refused.value)) == d and ("in millimetres" in str(refused.value)) == (s or m)
 
 
+#: Lengths as they may come, their factor to metres, and what a message says of them.
+LENGTHS = {
+    "in micrometres": 1e-6,
+    "in centimetres": 1e-2,
+    "in inches": 0.0254,
+    "in metres that were taken for millimetres": 1e3,
+}
+
+
+@pytest.mark.parametrize("kind", ["pose", "position", "distance"])
+@pytest.mark.parametrize("words", LENGTHS)
+@pytest.mark.parametrize("name", ["denso-vp6242", "fanuc-m-710ic-50", "epson-g6-651s", "stanford-arm"])
+def test_lengths_of_another_unit_are_recognised_by_their_size_and_the_cure_works(name, words, kind):
+    arm, rng = pieper.load(name), np.random.default_rng(3)
+    q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (60, arm.n))
+    T = arm.fk(q)
+    meant = {"pose": T, "position": T[:, :3, 3], "distance": np.linalg.norm(T[:, :3, 3] - [0.3, 0.1, 0.05], axis=1)}
+    told = meant[kind] / LENGTHS[words] if kind != "pose" else T.copy()
+    if kind == "pose":
+        told[:, :3, 3] /= LENGTHS[words]
+    with pytest.raises(pieper.InputError, match=f"what was measured is {words}") as refused:
+        arm.calibrate(q, told, kind=kind)
+    assert refused.value.left < 1e-9
+    factor = {"in micrometres": "1,000,000", "in centimetres": "100", "in inches": "0.0254"}.get(words, "1000")
+    assert str(refused.value).endswith(f"the measured lengths by {factor}.")
+
+
+@pytest.mark.parametrize("slides", [1.0, 1e-3])
+@pytest.mark.parametrize("turns", [1.0, np.pi / 180])
+def test_si_units_that_were_taken_for_degrees_and_millimetres_are_named(turns, slides):
+    arm, rng = pieper.load("epson-g6-651s"), np.random.default_rng(3)
+    q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (60, arm.n))
+    T = arm.fk(q)
+    if turns == slides == 1.0:
+        assert arm.calibrate(q, T).held_out.nominal_metres < 1e-9
+        return
+    with pytest.raises(pieper.InputError) as refused:
+        arm.calibrate(q * np.where(arm.chain.prismatic, slides, turns), T)
+    said = str(refused.value)
+    assert refused.value.left < 1e-9
+    assert ("radians that were taken for degrees" in said) == (turns != 1.0)
+    assert ("the slides are in metres that were taken for millimetres" in said) == (slides != 1.0)
+
+
 @pytest.mark.parametrize("name", ["adept-cobra-600", "denso-vp6242"])
 def test_units_and_a_frame_are_named_at_once_and_cure(name):
     arm, rng = pieper.load(name), np.random.default_rng(4)
@@ -107,9 +151,9 @@ def test_no_cure_is_given_that_leaves_more_than_an_arm_can_miss(name):
     arm, rng = pieper.load(name), np.random.default_rng(4)
     q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (60, arm.n))
     p = arm.fk(q)[:, :3, 3]
-    # slides in inches, places in micrometres: units that are not tried
-    told = np.where(arm.chain.prismatic, q / 0.0254, np.degrees(q))
-    for data in (p * 1e6, p * 1e3 / 25.4):
+    # slides in feet, places in feet: units that are not tried
+    told = np.where(arm.chain.prismatic, q / 0.3048, np.degrees(q))
+    for data in (p * 1e6, p / 0.3048):
         with pytest.raises(pieper.InputError) as refused:
             arm.calibrate(told, data, kind="position")
         assert "left" not in refused.value.data or refused.value.left < arm.chain.length

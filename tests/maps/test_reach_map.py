@@ -290,7 +290,11 @@ def test_a_base_is_placed_where_most_poses_are_reached():
 def test_the_command_maps(tmp_path, capsys):
     said = ["map", "denso-vp6242", "--box", "-500 500 -500 500 0 700", "--step", "250", "--orientations", "6 4"]
     assert main([*said, "--out", str(tmp_path / "m")]) == 0
-    assert "voxels of 250 mm" in capsys.readouterr().out.replace("\n", " ")
+    out, told = capsys.readouterr()
+    assert "voxels of 250 mm" in out.replace("\n", " ")
+    assert told == "pieper: note: the box has whole voxels of 250 mm: it reaches z to 750 mm.\n"
+    whole = [word.replace("700", "750") for word in said]
+    assert main(whole) == 0 and capsys.readouterr().err == ""
     assert main([*said, "--workers", "1", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["volume_m3"] > 0
     assert main(["map", "denso-vp6242", "--box", "1 2 3", "--step", "250"]) == 2

@@ -28,6 +28,9 @@ from pieper.tolerances import LIMIT_SLACK
 @click.option("--path", "file", default="", metavar="FILE", help="A .csv with a column a joint, by name or in order.")
 @click.option("--margin", default=0.0, show_default=True, help="Distance to keep, in --length.")
 @click.option("--bodies", is_flag=True, help="Say what the arm's bodies are and which may touch.")
+@click.option(
+    "--plot", default="", metavar="FILE", help="Draw what is kept, and what of it is proved: .png, .svg, .pdf."
+)
 @as_json
 @takes_units
 def command(
@@ -39,6 +42,7 @@ def command(
     file: str,
     margin: float,
     bodies: bool,
+    plot: str,
     json: bool,
     units: Units,
 ) -> int:
@@ -58,6 +62,9 @@ def command(
         return DONE
     path = _path(arm, first, via, last, file, units)
     found = arm.clear(path, around, margin * units.metres)
+    if plot:
+        profile = arm.clearance(path, around, margin * units.metres)
+        pieper.plot.save_figure(pieper.plot.clearance_figure(profile), plot)
     apart = arm.distance(path, around)
     at = int(np.argmin(apart))
     status = DONE if found.verdict is pieper.Clearance.CLEAR else NO_SOLUTION

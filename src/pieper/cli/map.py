@@ -59,6 +59,19 @@ def _watch_parent() -> None:
     os.kill(os.getpid(), signal.SIGTERM)
 
 
+def _widened(shape: tuple[int, ...], step: float, sides: list[tuple[float, float]], units: Units) -> list[str]:
+    """Return a line about sides of a box that whole voxels, so many and of such a step (m), made longer."""
+    longer = [
+        f"{axis} to {short((low + count * step) / units.metres)}"
+        for axis, count, (low, high) in zip("xyz", shape, sides, strict=True)
+        if low + count * step - high > 2 * RELATIVE_ROUNDING * max(step, abs(high))
+    ]
+    if not longer:
+        return []
+    voxels = f"whole voxels of {short(step / units.metres)} {units.length}"
+    return [f"the box has {voxels}: it reaches {', '.join(longer)} {units.length}."]
+
+
 @click.command("map", cls=TakesNumbers, short_help="Fill a box with answers: what the arm reaches.")
 @takes_arm
 @click.option("--box", required=True, metavar="NUMBERS", help="x0 x1 y0 y1 z0 z1, quoted, in --length.")
@@ -155,6 +168,8 @@ def command(
             )
         except KeyboardInterrupt as stop:
             raise told(stop, _what_is_kept(out)) from stop
+    for line in _widened(found.grid.shape, found.grid.step, sides, units):
+        print(f"pieper: note: {line}", file=sys.stderr)
     if save:
         found.save(save)
     if picture:

@@ -23,6 +23,8 @@ Array = npt.NDArray[np.float64]
 MOST_POINTS = 10_000_000
 #: Points whose distances are held at once.
 AT_ONCE = 4096
+#: Places at least at which the deepest of a path is looked for; how often, and at how many, it is looked closer.
+PLACES, CLOSER, CLOSE = 256, 8, 17
 
 
 class Clearance(Enum):
@@ -42,7 +44,7 @@ class Swept:
         s: Where it first hits, or first is too near to say, in [0, 1] of the path, points evenly spread; 1 where clear.
         q: (n,) the posture there.
         pair: The names of the two bodies; empty where clear.
-        depth: By how much the margin is missed at the deepest of the path's points and at s, m; 0 where nothing hits.
+        depth: By how much that pair misses the margin at the deepest place of the path, m; 0 where nothing hits.
         margin: What was asked for, m.
         gap: How near to the margin a distance may be without being decided, m.
         looked: How many postures were looked at.
@@ -154,17 +156,38 @@ def _share(s: float, count: int) -> float:
 
 
 def _at(q: Array, s: float) -> Array:
-    i = min(int(s), max(len(q) - 2, 0))
-    return q[0].copy() if len(q) == 1 else q[i] + (s - i) * (q[i + 1] - q[i])
+    return postures_on(q, np.array([s]))[0]
 
 
 def _least(model: Model, q: Array, pair: int) -> float:
-    """Return the least distance of one pair at the points of a path, m."""
+    """Return the least distance of one pair on a path, m: at its points, between them, and closer about the least."""
+    last = len(q) - 1
+    each = max(1, -(-PLACES // max(last, 1)))
+    at = np.linspace(0, last, last * each + 1)
+    here = _apart(model, postures_on(q, at), pair)
+    for _ in range(CLOSER if last else 0):
+        k = int(np.argmin(here))
+        at = np.linspace(at[max(k - 1, 0)], at[min(k + 1, len(at) - 1)], CLOSE)
+        new = _apart(model, postures_on(q, at), pair)
+        if new.min() > here.min():
+            break
+        here = new
+    return float(here.min())
+
+
+def postures_on(q: Array, at: Array) -> Array:
+    """Return the postures (k, n) of a path (N, n) at places (k,), counted in its points."""
+    i = np.clip(at.astype(int), 0, max(len(q) - 2, 0))
+    return q[i] + (at - i)[:, None] * (q[np.minimum(i + 1, len(q) - 1)] - q[i])
+
+
+def _apart(model: Model, q: Array, pair: int) -> Array:
+    """Return the distances (N,) of one pair at postures (N, n), m."""
     if model.exact is not None and pair < model.known:
-        parts = (model.exact.each(model.chain_values(q[i : i + AT_ONCE]))[:, pair] for i in range(0, len(q), AT_ONCE))
-        return float(min(part.min() for part in parts))
+        parts = [model.exact.each(model.chain_values(q[i : i + AT_ONCE]))[:, pair] for i in range(0, len(q), AT_ONCE)]
+        return np.concatenate(parts)
     hulls = Hulls(model)
-    return min(hulls.between(pair, frames).least for frames in model.chain.native.frames(q, model.base))
+    return np.array([hulls.between(pair, frames).least for frames in model.chain.native.frames(q, model.base)])
 
 
 class _Search:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pieper.drawing.style import png, save_figure, svg
 from pieper.presentation.plot_arm import arm_figure, configuration_figure, solutions_figure
 from pieper.presentation.plot_calibration import calibration_figure, deviations_figure
+from pieper.presentation.plot_clearance import clearance_figure
 from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
 from pieper.presentation.plot_limits import limits_figure
 from pieper.presentation.plot_map import layers_figure, map_figure
@@ -15,6 +16,7 @@ from pieper.presentation.plot_route import route_figure
 __all__ = [
     "arm_figure",
     "calibration_figure",
+    "clearance_figure",
     "configuration_figure",
     "coordinates_figure",
     "deviations_figure",

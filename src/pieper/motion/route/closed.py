@@ -31,7 +31,8 @@ def blocked_at(task: Task, ladder: Rungs, reached: int, proof: Proof) -> Blocked
     forth = backwards(task) if proof.back else task
     first = min(float(ladder.s[max(reached, 0)]), proved)
     # the joints are told at a station that was not reached and lies in what is proved
-    at = min(max(reached + 1, int(np.searchsorted(ladder.s, begun, side="left"))), len(ladder.s) - 1)
+    behind = int(np.searchsorted(ladder.s, proved, side="left"))
+    at = min(max(min(reached + 1, behind), int(np.searchsorted(ladder.s, begun, side="left"))), len(ladder.s) - 1)
     last = max(proved, first)
     here = float(ladder.s[at])
     valid = ladder.valid[at]

@@ -41,7 +41,8 @@ class Front:
         ended: How.
         begun: Where on the path it began.
         s: Where it ended.
-        q: (k, m) its points there.
+        told: Where its points are: behind s where it lost its grip or grew tired.
+        q: (k, m) its points.
         within: (k,) what each of them stands for (rad; lengths).
         stretch: (r,) how many of the points, one after the other, are one stretch of a curve; below zero: a closed one.
         looked: Points looked at.
@@ -51,6 +52,7 @@ class Front:
     ended: Ended
     begun: float
     s: float
+    told: float
     q: Array
     within: Array
     stretch: Indices
@@ -84,7 +86,7 @@ def follow(setting: Setting, limits: Array, seeds: Array, s: tuple[float, float]
     # what joints are at where axes are: limits are of the joints, the bounds of the axes
     inverse = np.eye(setting.filled.n)
     inverse[: setting.m, : setting.m] = setting.joints_at(np.eye(setting.m)).T
-    ended, at, q, within, stretch, looked, narrowest = _kernel.front(
+    ended, at, told, q, within, stretch, looked, narrowest = _kernel.front(
         setting.filled.plain,
         limits=np.vstack([limits, np.zeros((still, 2))]),
         joints=inverse,
@@ -95,10 +97,18 @@ def follow(setting: Setting, limits: Array, seeds: Array, s: tuple[float, float]
         fine=fine,
         most=most,
     )
-    k = min(int(at), len(knots) - 1)
-    where = knots[k] + (at - k) * (knots[min(k + 1, len(knots) - 1)] - knots[k])
+    counted = np.arange(len(knots))
+    place, place_told = np.interp([at, told], counted, knots).tolist()
     return Front(
-        Ended(ended), s[0], float(where), setting.joints_at(q[:, : setting.m]), within, stretch, looked, narrowest
+        Ended(ended),
+        s[0],
+        place,
+        place_told,
+        setting.joints_at(q[:, : setting.m]),
+        within,
+        stretch,
+        looked,
+        narrowest,
     )
 
 

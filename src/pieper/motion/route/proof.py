@@ -2,7 +2,7 @@
 
 Where nothing is inside the limits the proof is one station. Else everything inside is collected somewhere and followed
 with proved bounds: first close before the place at which a rough front ends, then wherever a rough front comes to
-nothing, forwards or backwards, and with smaller steps.
+nothing, forwards or backwards, past places at which it loses its grip (`passed.py`), and with smaller steps.
 """
 
 from __future__ import annotations
@@ -13,23 +13,23 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.kinematics.arrays import Array
-from pieper.motion.route.front import Ended, follow
+from pieper.motion.route.front import Ended
 from pieper.motion.route.ladder import Rungs
+from pieper.motion.route.passed import follow_past
 from pieper.motion.route.search import Task
 from pieper.motion.route.windows import ROUGH, Window, backwards, known, misses_end, scouted
-from pieper.tolerances import TAKEN_UP_BEHIND
 
 #: Parts of the largest steps that the bounds allow, tried one after the other at a station where no row is inside.
 FINE = (1.0, 0.4, 0.15)
 #: How far before the end of a rough front from the first pose a proof is tried first, as parts of the path, and with
 #: what part of the steps that the bounds allow; and how far behind that end it may go on.
 CLOSE, ON = ((0.003, 1.0), (0.003, 0.4), (0.02, 1.0)), 0.01
+#: Part of the steps for all of the way from the first pose to there, where so many points are enough.
+WHOLE = 0.7, 4_000_000
 #: Points that a rough front from the first pose, and that each of the first tries may look at.
 MOST, EACH = 1_500_000, 450_000
 #: Parts of the steps that the bounds allow for all that is reached from a posture that is told, and points then.
 TOLD = ((1.0, 3_000_000), (0.4, 6_000_000))
-#: How often a front that lost its grip is taken up again behind that place.
-AGAIN = 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,21 +82,14 @@ def anywhere(task: Task, limits: Array) -> Proof | None:
 
 
 def _first(task: Task, limits: Array, windows: Iterator[Window]) -> Proof | None:
-    looked = 0
     back = backwards(task)
     for window in windows:
         way = back if window.back else task
-        begin = window.first
-        for _ in range(AGAIN):
-            seeds = known(way, limits, begin)
-            found = follow(way.setting, limits, seeds, (begin, window.last), window.fine, window.most)
-            looked += found.looked
-            arrived = misses_end(way, found)
-            if found.ended is Ended.DIED or arrived:
-                return Proof(begin, found.s, looked, arrived, window.back)
-            begin = found.s + TAKEN_UP_BEHIND
-            if found.ended is not Ended.SINGULAR or begin > window.last:
-                break
+        seeds = known(way, limits, window.first)
+        found = follow_past(way.setting, limits, seeds, (window.first, window.last), window.fine, window.most)
+        arrived = misses_end(way, found)
+        if found.ended is Ended.DIED or arrived:
+            return Proof(window.first, found.s, found.looked, arrived, window.back)
     return None
 
 
@@ -114,15 +107,19 @@ def _close(task: Task, limits: Array, ladder: Rungs, reached: int) -> Iterator[W
         for station in dict.fromkeys((begin, (begin + end) // 2)):
             for fine in FINE:
                 yield Window(float(s[station]), float(s[station]), fine, EACH)
-    rough = follow(task.setting, limits, known(task, limits, 0.0), (0.0, 1.0), ROUGH, MOST)
+    rough = follow_past(task.setting, limits, known(task, limits, 0.0), (0.0, 1.0), ROUGH, MOST)
     if rough.ended is not Ended.ARRIVED or misses_end(task, rough):
         for before, fine in CLOSE:
             yield Window(max(rough.s - before, 0.0), min(rough.s + ON, 1.0), fine, EACH)
+        fine, most = WHOLE
+        # close before it more may be inside than what comes from the first pose; of smaller steps it takes the square
+        if rough.looked * (ROUGH / fine) ** 2 < most:
+            yield Window(0.0, min(rough.s + ON, 1.0), fine, most)
     # from a posture that is told less is reached than from anything that is inside the limits
     for way, back in ((task, False), (backwards(task), True)):
         if way.ends[0] is None:
             continue
-        rough = follow(way.setting, limits, known(way, limits, 0.0), (0.0, 1.0), ROUGH, MOST)
+        rough = follow_past(way.setting, limits, known(way, limits, 0.0), (0.0, 1.0), ROUGH, MOST)
         if rough.ended is Ended.DIED or misses_end(way, rough):
             for fine, most in TOLD:
                 yield Window(0.0, 1.0, fine, most, back)

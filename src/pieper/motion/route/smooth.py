@@ -16,14 +16,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pieper import _kernel
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.newton import scaled_jacobian
+from pieper.motion.route.on_edge import along_edge, cone_bend, cone_slope, onto_edge
 from pieper.motion.route.setting import Setting
 from pieper.tolerances import (
     BARRIER_WEIGHTS,
     CLEAR_START,
     FREEDOM_PROBE,
     NO_LENGTH,
+    ROUNDING,
     SLOPE_COUNTS,
     SMOOTH_BEND,
     SMOOTH_DAMPING,
@@ -41,6 +43,8 @@ from pieper.tolerances import (
 STEEP = 8.0
 #: Most Newton steps of a stage.
 STEPS = 40
+#: How often points are put on the edge of a cone, or let go.
+EDGES = 12
 #: Stages of the barrier where a route is made short roughly.
 ROUGH = 4
 
@@ -56,6 +60,7 @@ class Shape:
         power: 2 for the sum of squares, more where the largest joint difference counts.
         fixed: (N,) 1 where a point may move, else 0.
         turn_step: (N - 1,) largest change of the turn, rad; None for any.
+        edge: (N,) which points rest on the edge of the cone; None for none.
     """
 
     setting: Setting
@@ -64,6 +69,11 @@ class Shape:
     power: int
     fixed: Array
     turn_step: Array | None
+    edge: Bools | None = None
+
+    def on(self, x: Array) -> tuple[Array, Bools]:
+        """Return points (N, m) moved onto the poses, and whether that was reached."""
+        return self.setting.on(x, self.T) if self.edge is None else onto_edge(self.setting, x, self.T, self.edge)
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,15 +90,20 @@ def smooth(shape: Shape, x: Array, rough: bool = False) -> Smoothed:
     mean = max(_value(replace(shape, power=2), x, 0.0, 1.0), NO_LENGTH) / max(len(x) - 1, 1)
     scale = mean if shape.power == 2 else float(np.sqrt(mean))
     room = min((float((side * at).min(initial=np.inf)) for at, side in _margins(shape, x)), default=np.inf)
-    weights = BARRIER_WEIGHTS[-1:] if room > CLEAR_START and shape.turn_step is None else BARRIER_WEIGHTS
+    clear = room > CLEAR_START and shape.turn_step is None and not shape.setting.tilts
+    weights = BARRIER_WEIGHTS[-1:] if clear else BARRIER_WEIGHTS
     for part in weights[:ROUGH] if rough else weights:
         weight = part * scale
         x = _stage(shape, x, weight, weight / (STEEP * (np.sqrt(mean) if shape.power == 2 else 1.0)), rough)
     if rough:
         return Smoothed(x, _value(shape, x, 0.0, 1.0), np.inf)
-    shape = replace(shape, fixed=shape.fixed * (_room(shape, x) > SLOPE_COUNTS))
-    x = _without_barrier(shape, x)
-    g, Z = _slope(shape, x, 0.0, 1.0)
+    edge = _room(shape, x) <= SLOPE_COUNTS
+    shape = replace(shape, fixed=shape.fixed * (_room(shape, x, cone=False) > SLOPE_COUNTS))
+    if shape.setting.tilts:
+        x, shape = _on_the_edge(shape, x, edge & (shape.fixed > 0))
+    else:
+        x = _without_barrier(shape, x)
+    g, Z, _ = _along(shape, x, 0.0, 1.0)
     along = np.abs(np.einsum("kma,km->ka", Z, g)) * shape.fixed[:, None]
     return Smoothed(x, _value(shape, x, 0.0, 1.0), float(along.max(initial=0.0)))
 
@@ -104,10 +119,35 @@ def _without_barrier(shape: Shape, x: Array) -> Array:
     return moved if inside and _value(shape, moved, 0.0, 1.0) <= _value(shape, x, 0.0, 1.0) else x
 
 
-def _room(shape: Shape, x: Array) -> Array:
+def _on_the_edge(shape: Shape, x: Array, edge: Bools) -> tuple[Array, Shape]:
+    """Return a route at rest (N, m) some of whose points lie on the edge of the cone, and the shape that says which.
+
+    Points that would leave the cone rest on its edge from then on; those that its edge pulls outwards are let go.
+    """
+    best, now = x, replace(shape, edge=edge if edge.any() else None)
+    for _ in range(EDGES):
+        moved = _stage(now, _snapped(now, x), 0.0, 1.0, False)
+        _, _, multiplier = _along(now, moved, 0.0, 1.0)
+        inside = shape.setting.inside_cone(moved)
+        left, pulled = (inside < -ROUNDING) & ~edge, edge & (multiplier > ROUNDING)
+        if not left.any() and not pulled.any():
+            least = np.minimum(_room(shape, x), 0.0) - ROUNDING
+            better = _value(shape, moved, 0.0, 1.0) <= _value(shape, best, 0.0, 1.0) * (1 + ROUNDING)
+            return (moved, now) if (_room(shape, moved) >= least).all() and better else (best, now)
+        edge = (edge | left) & ~pulled
+        x, now = moved, replace(shape, edge=edge if edge.any() else None)
+    return best, now
+
+
+def _snapped(shape: Shape, x: Array) -> Array:
+    moved, on = shape.on(x)
+    return moved if on.all() else x
+
+
+def _room(shape: Shape, x: Array, cone: bool = True) -> Array:
     """Return by how much each point (N,) is off what bounds it: limits, the cone, and what the turn may change."""
     room: Array = np.min([(side * at).min(1, initial=np.inf) for at, side in _margins(shape, x)], axis=0)
-    if shape.setting.tilts:
+    if shape.setting.tilts and cone:
         room = np.minimum(room, shape.setting.inside_cone(x))
     if shape.turn_step is not None:
         left = shape.turn_step - np.abs(np.diff(x[:, shape.setting.n]))
@@ -118,11 +158,11 @@ def _room(shape: Shape, x: Array) -> Array:
 def _stage(shape: Shape, x: Array, weight: float, margin: float, rough: bool) -> Array:
     damp, value = 0.0, _value(shape, x, weight, margin)
     for _ in range(STEPS):
-        g, Z = _slope(shape, x, weight, margin)
+        g, Z, edge = _along(shape, x, weight, margin)
         along = np.einsum("kma,km->ka", Z, g) * shape.fixed[:, None]
         if np.abs(along).max(initial=0.0) < SMOOTH_FLAT:
             break
-        D, E = _bend(shape, x, Z, g, weight, margin)
+        D, E = _bend(shape, x, Z, g, edge, weight, margin)
         done, tried, new, length = False, x, value, 0.0
         for _ in range(12):
             size = np.abs(np.einsum("kaa->ka", D)).mean()
@@ -130,7 +170,7 @@ def _stage(shape: Shape, x: Array, weight: float, margin: float, rough: bool) ->
             if positive:
                 length = float(np.abs(step).max())
                 step *= min(1.0, 0.3 / max(length, TINY))
-                tried, ok = shape.setting.on(x + np.einsum("kma,ka->km", Z, step), shape.T)
+                tried, ok = shape.on(x + np.einsum("kma,ka->km", Z, step))
                 new = _value(shape, tried, weight, margin) if ok.all() else np.inf
                 if new < value or (new <= value + SMOOTH_MAY_RISE * abs(value) and length < SMOOTH_TINY_STEP):
                     done = True
@@ -170,12 +210,6 @@ def _margins(shape: Shape, x: Array) -> list[tuple[Array, float]]:
     low, high = setting.limits[setting.bounded].T
     at = x[:, setting.bounded]
     return [(at - low, 1.0), (at - high, -1.0)]
-
-
-def _cone_slope(setting: Setting, x: Array) -> Array:
-    """Return the slope (N, 2) of how far tilts are inside the cone."""
-    a, b = x[:, -2], x[:, -1]
-    return -np.stack([np.sin(a) * np.cos(b), np.cos(a) * np.sin(b)], -1) / np.sin(setting.free.cone)
 
 
 def _barrier(d: Array, margin: float) -> Array:
@@ -230,7 +264,7 @@ def _slope(shape: Shape, x: Array, weight: float, margin: float) -> tuple[Array,
         for at, side in _margins(shape, x):
             g[:, setting.bounded] += weight * side * _barrier_slope(side * at, margin)
         if setting.tilts:
-            g[:, -2:] += weight * _barrier_slope(setting.inside_cone(x), margin)[:, None] * _cone_slope(setting, x)
+            g[:, -2:] += weight * _barrier_slope(setting.inside_cone(x), margin)[:, None] * cone_slope(setting, x)
         if shape.turn_step is not None:
             e = np.diff(x[:, setting.n])
             for side in (1.0, -1.0):
@@ -238,6 +272,14 @@ def _slope(shape: Shape, x: Array, weight: float, margin: float) -> tuple[Array,
                 g[1:, setting.n] += slope
                 g[:-1, setting.n] -= slope
     return g, _free(setting, x)
+
+
+def _along(shape: Shape, x: Array, weight: float, margin: float) -> tuple[Array, Array, Array]:
+    """Return the slope (N, m), what is free (N, m, d), and what the cone's edge counts with (N,)."""
+    g, Z = _slope(shape, x, weight, margin)
+    if shape.edge is None:
+        return g, Z, np.zeros(len(x))
+    return along_edge(shape.setting, x, g, Z, shape.edge)
 
 
 def _free(setting: Setting, x: Array) -> Array:
@@ -262,7 +304,7 @@ def _pulled(setting: Setting, J: Array, g: Array) -> Array:
     return np.asarray(np.einsum("kji,kj->ki", np.linalg.pinv(J), g), np.float64)
 
 
-def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: float) -> tuple[Array, Array]:
+def _bend(shape: Shape, x: Array, Z: Array, g: Array, edge: Array, weight: float, margin: float) -> tuple[Array, Array]:
     """Return the blocks (N, d, d) and (N - 1, d, d) of the second derivative along what poses leave free."""
     setting = shape.setting
     chain, unit = setting.chain, setting.chain.joints.unit
@@ -285,13 +327,15 @@ def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: flo
     if weight and setting.tilts:
         inside = setting.inside_cone(x)
         slope, bend = _barrier_slope(inside, margin), _barrier_bend(inside, margin)
-        out = np.einsum("km,kma->ka", _cone_slope(setting, x), Z[:, -2:])
+        out = np.einsum("km,kma->ka", cone_slope(setting, x), Z[:, -2:])
         bent += weight * bend[:, None, None] * out[:, :, None] * out[:, None, :]
         bent -= (
             weight
             * (slope / np.tan(setting.free.cone))[:, None, None]
             * np.einsum("kma,kmb->kab", Z[:, -2:], Z[:, -2:])
         )
+    if shape.edge is not None:
+        bent += edge[:, None, None] * np.einsum("kma,kmn,knb->kab", Z[:, -2:], cone_bend(setting, x), Z[:, -2:])
     E = -np.einsum("kma,km,kmb->kab", Z[:-1], between, Z[1:])
     # what is free is bent: a step along it leaves the pose to second order, and coming back costs slope
     J = scaled_jacobian(chain, x)
@@ -303,6 +347,8 @@ def _bend(shape: Shape, x: Array, Z: Array, g: Array, weight: float, margin: flo
         turned = np.einsum("kim,kmb->kib", (ahead - behind) / (2 * FREEDOM_PROBE), Z / unit[:, None])
         bent[:, a, :] -= np.einsum("ki,kib->kb", pull, turned)
     bent = (bent + np.swapaxes(bent, 1, 2)) / 2
+    if shape.edge is not None:
+        bent[shape.edge, 0, 0] = 1.0  # of the direction that is none
     held = shape.fixed == 0
     if held.any():
         bent[held] = np.eye(d)

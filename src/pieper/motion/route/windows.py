@@ -12,19 +12,22 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pieper.kinematics.arrays import Array
-from pieper.motion.route.front import Ended, Front, everything_at, follow
+from pieper.motion.route.front import Ended, Front, everything_at
 from pieper.motion.route.ladder import Rungs
+from pieper.motion.route.passed import follow_past, reversed_setting
 from pieper.motion.route.search import Task
 
-#: Steps, in those that the bounds allow, with which an end is looked for without proof: at first, and along the whole
-#: path where none is found with these. A gap that is less than a tenth of a step wide is not seen.
-ROUGH, CLOSER = 2.5, (2.5, 1.05)
-#: Places at which a rough front is begun; points it may look at, and as many more for each point it begins with.
-PLACES, SCOUTED, SCOUTED_EACH = 11, 60_000, 40
+#: Steps, in those that the bounds allow, with which an end is looked for without proof close to where rows end;
+ROUGH = 2.5
+#: along the whole path the same, points it may look at, and as many more for each point it begins with; where no
+#: end is found so, more points and then smaller steps: a gap that is less than a tenth of a step wide is not seen.
+SCOUTS = ((ROUGH, 60_000, 40), (ROUGH, 1_000_000, 0), (1.05, 1_500_000, 0))
+#: Places at which a rough front is begun.
+PLACES = 11
 #: How far behind the end of a rough front a proof may go on, as a part of the path.
 ON = 0.03
 #: Parts of the steps that the bounds allow with which a window is tried, and points that may be looked at then.
-TRIED = ((0.4, 2_000_000), (0.15, 4_000_000))
+TRIED = ((0.7, 4_000_000), (0.4, 6_000_000), (0.15, 12_000_000))
 #: Windows that are tried, and how far apart two of them end at least, as a part of the path.
 MOST, APART = 3, 0.01
 #: How often the place at which a window begins is moved on by halves.
@@ -52,8 +55,7 @@ class Window:
 
 def backwards(task: Task) -> Task:
     """Return the task along the same path from its end to its beginning."""
-    world = task.setting
-    turned = replace(world, path=world.path[::-1], asked=world.asked[::-1], s=1.0 - world.s[::-1])
+    turned = reversed_setting(task.setting)
     step = None if task.turn_step is None else task.turn_step[::-1]
     return replace(task, setting=turned, ends=task.ends[::-1], turn_step=step)
 
@@ -87,11 +89,11 @@ def scouted(task: Task, limits: Array) -> Iterator[Window]:
         task: What is asked.
         limits: (m, 2) that are kept.
     """
-    for rough in CLOSER:
+    for rough in SCOUTS:
         yield from _scouted(task, limits, rough)
 
 
-def _scouted(task: Task, limits: Array, rough: float) -> Iterator[Window]:
+def _scouted(task: Task, limits: Array, rough: tuple[float, int, int]) -> Iterator[Window]:
     """Yield the windows of `scouted` that a front of some steps shows."""
     back = backwards(task)
     found: list[tuple[int, float, float, bool]] = []
@@ -110,14 +112,17 @@ def _scouted(task: Task, limits: Array, rough: float) -> Iterator[Window]:
             yield Window(first, min(last + ON, 1.0), fine, most, backward)
 
 
-def _dies(way: Task, limits: Array, first: float, rough: float) -> Front | None:
+def _dies(way: Task, limits: Array, first: float, rough: tuple[float, int, int]) -> Front | None:
     """Return the rough front that is begun at a place where it does not get through; None where it does."""
     seeds = known(way, limits, first)
-    front = follow(way.setting, limits, seeds, (first, 1.0), rough, SCOUTED + SCOUTED_EACH * len(seeds))
+    steps, points, each = rough
+    front = follow_past(way.setting, limits, seeds, (first, 1.0), steps, points + each * len(seeds))
     return front if front.ended is Ended.DIED or misses_end(way, front) else None
 
 
-def _later(way: Task, limits: Array, window: tuple[int, float, float, bool], rough: float) -> tuple[float, float, bool]:
+def _later(
+    way: Task, limits: Array, window: tuple[int, float, float, bool], rough: tuple[float, int, int]
+) -> tuple[float, float, bool]:
     """Return from where, as near to the end as it still dies there, and to where, a front has least to do."""
     _, first, last, backward = window
     beyond = min(first + 1 / (PLACES - 1), last)
