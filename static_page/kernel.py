@@ -11,7 +11,7 @@ from pieper.code.between import between
 from pieper.code.cpp import numbers_of
 from pieper.code.kernel_source import fingerprint, header_of, joined
 from pieper.code.wasm import compiled
-from pieper.tolerances import FILLED_STARTS, LIMIT_SLACK, VERIFIED
+from pieper.tolerances import FILLED_STARTS, LIMIT_SLACK, ROTATION_ACCEPTED, VERIFIED
 
 #: In the order of their numbers in the module.
 FAMILIES = ("spherical_wrist_parallel", "spherical_wrist", "three_parallel", "offset_wrist", "two_slides", "general")
@@ -117,5 +117,6 @@ def prepared(arm: pieper.Arm) -> dict[str, Any]:
         "tied": None if own.tied is None else [bool(t) for t in own.tied],
         "moves": [] if own.moves is None else own.moves.tolist(),
         "weight": [] if own.weight is None else own.weight.tolist(),
+        "accepted": ROTATION_ACCEPTED,
         "verified": VERIFIED * max(1.0, plan.chain.length),
     }

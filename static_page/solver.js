@@ -67,9 +67,25 @@ window.PIEPER = window.PIEPER || {};
     });
   }
 
+  // A pose whose rotation, where it was rounded, is the nearest one; null where T is no rigid motion.
+  function rigid(arm, T) {
+    const P = Array.from(T);
+    P[3] = P[7] = P[11] = 0;
+    const across = (A) => matrix(A.map((_, n) => A[4 * (n & 3) + (n >> 2)]), A);
+    const off = Math.max(...across(P).map((x, n) => Math.abs(x - (n % 5 === 0))));
+    const cross = P[0] * (P[5] * P[10] - P[6] * P[9]) - P[1] * (P[4] * P[10] - P[6] * P[8]) + P[2] * (P[4] * P[9] - P[5] * P[8]);
+    if (!(off <= arm.solver.accepted && cross > 0 && T.every(Number.isFinite))) return null;
+    let X = P;
+    for (let step = 0; step < 2; ++step) {
+      const Y = matrix(X, across(X));
+      X = X.map((x, n) => 1.5 * x - 0.5 * Y[n]);
+    }
+    return [X[0], X[1], X[2], T[3], X[4], X[5], X[6], T[7], X[8], X[9], X[10], T[11], 0, 0, 0, 1];
+  }
+
   // {rows, unclear} before limits, of a pose as 16 numbers row by row; value: where a joint to spare is held.
-  function ikAll(arm, T, value) {
-    const s = arm.solver, found = six(arm, s.held === null ? T : takenOff(arm, T, value));
+  function ikAll(arm, given, value) {
+    const s = arm.solver, T = rigid(arm, given), found = T && six(arm, s.held === null ? T : takenOff(arm, T, value));
     if (!found || s.plain) return found;
     const kept = [];
     for (const row of found.rows) {

@@ -56,7 +56,8 @@ def answers(site, arm, T, values):
         f"run('arms/arm_{arm.name.replace('-', '_')}.js');\n"
         "PIEPER.ready.then(() => { const { T, values } = JSON.parse(fs.readFileSync('asked.json'));\n"
         "  const rows = [], all = [];\n"
-        "  T.forEach((t, i) => { const found = PIEPER.ikAll(arm, t, values[i]).rows; all.push(found.length);\n"
+        "  T.forEach((t, i) => { const found = (PIEPER.ikAll(arm, t, values[i]) || { rows: [] }).rows;\n"
+        "    all.push(found.length);\n"
         "    rows.push(found.map((row) => PIEPER.inside(arm, row)).filter((row) => row)); });\n"
         "  console.log(JSON.stringify({ rows, all })); });\n"
     )
@@ -79,6 +80,29 @@ def test_the_page_gives_the_native_rows(site, name):
         assert len(rows) == len(wanted)
         if len(rows):
             assert np.abs(rows[:, None] - wanted[None]).max(-1).min(1).max() < 1e-7
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in UNSOLVED])
+def test_a_pose_that_was_written_down_is_taken_as_the_nearest_one(site, name):
+    arm = pieper.load(name)
+    q, T = poses(arm, 60)
+    T[::2], T[1::2] = np.round(T[::2], 6), np.float32(T[1::2])
+    spare = arm.plan.reduction.locked[0] if arm.plan.reduction.locked else None
+    many = arm.ik_many(T, redundancy=None if spare is None else q[:, [spare]])
+    said = answers(site, arm, T, [0.0] * len(T) if spare is None else q[:, spare].tolist())
+    for i in np.flatnonzero((many.flag & 3) == 0):
+        wanted, rows = many.q[i][many.in_limits[i]], np.reshape(said["rows"][i], (-1, arm.n))
+        assert len(rows) == len(wanted)
+        if len(rows):
+            assert np.abs(rows[:, None] - wanted[None]).max(-1).min(1).max() < 1e-7
+
+
+def test_what_is_no_pose_has_no_rows_on_the_page(site):
+    arm = pieper.load("franka-panda")
+    T = arm.fk(np.full(7, 0.3))
+    spoilt = np.array([T * [1, 1, -1, 1], np.diag([1.001, 1, 1, 1]) @ T, T])
+    said = answers(site, arm, spoilt, [0.3] * 3)
+    assert said["rows"][:2] == [[], []] and len(said["rows"][2]) > 0
 
 
 def test_the_kernels_are_small_on_the_way(site):
