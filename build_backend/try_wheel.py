@@ -33,22 +33,38 @@ print(f"pieper {pieper.__version__} on Python {sys.version.split()[0]}: {len(sol
 
 
 def interpreters() -> dict[tuple[int, int], Path]:
-    """Return one interpreter of each Python from 3.11 on that is on the path, or where pyenv keeps them."""
+    """Return one interpreter of each Python from 3.11 on that is on the path, or where pyenv keeps them.
+
+    What lies on the path may be a script that looks for the interpreter (pyenv's and others' are); it needs a shell
+    and the path, which a wheel's empty environment has not. So each is asked what it runs, and that is returned.
+    """
     found: dict[tuple[int, int], Path] = {}
     places = [Path(p) for p in os.environ.get("PATH", "").split(os.pathsep)]
     places += sorted(Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv"), "versions").glob("*/bin"))
     for folder in places:
         for minor in range(11, 20):
             python = folder / f"python3.{minor}"
-            if (3, minor) not in found and python.is_file() and _runs(python, minor):
-                found[3, minor] = python
+            if (3, minor) not in found and python.is_file() and (itself := _itself(python, minor)):
+                found[3, minor] = itself
     return found
 
 
-def _runs(python: Path, minor: int) -> bool:
-    ask = "import sys, venv, ensurepip; print(sys.version_info[:2], sys.prefix == sys.base_prefix)"
-    done = subprocess.run([str(python), "-c", ask], capture_output=True, text=True, check=False)
-    return done.returncode == 0 and done.stdout.strip() == f"(3, {minor}) True"
+def _itself(python: Path, minor: int) -> Path | None:
+    """Return the interpreter that a name stands for; None where it is another version, or cannot make environments."""
+    ask = "import sys, venv, ensurepip; print(sys.version_info[:2], sys.prefix == sys.base_prefix, sys.executable)"
+    environment = dict(os.environ)
+    for _ in range(2):  # asked once more by its own place and without a path: then nothing else is needed to run it
+        try:
+            done = subprocess.run(
+                [str(python), "-c", ask], capture_output=True, text=True, env=environment, check=False
+            )
+        except OSError:
+            return None
+        said = done.stdout.strip()
+        if done.returncode or not said.startswith(f"(3, {minor}) True "):
+            return None
+        python, environment["PATH"] = Path(said.removeprefix(f"(3, {minor}) True ")), ""
+    return python
 
 
 def tried(wheel: Path, there: dict[tuple[int, int], Path]) -> list[str]:
@@ -89,5 +105,6 @@ def _try(wheel: Path, python: Path, folder: Path) -> subprocess.CompletedProcess
 
 
 if __name__ == "__main__":
-    wrong = [f"{name}: {said}" for name in sys.argv[1:] for said in tried(Path(name).resolve(), interpreters())]
-    sys.exit("\n".join(wrong))
+    there = interpreters()
+    wrong = [f"{name}: {said}" for name in sys.argv[1:] for said in tried(Path(name).resolve(), there)]
+    sys.exit("\n".join(wrong) or 0)  # an empty text would be a failure as well

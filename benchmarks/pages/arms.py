@@ -11,7 +11,8 @@ One line an arm, written by `make pages` from what `python -m benchmarks.measure
 bound by the arm's own axes (`plan.count`). *Counts*: how many solutions random joint vectors' poses have (limits not
 applied), as smallest to largest and mean. *Missed*: generating joint vectors not found again within 1e-6. *us*: time
 a pose in `ik_many`, one thread, on shared and busy machines, lines at different times; it tells families apart and no
-more. Redundant arms: at the generating value of the spare joint.
+more. Redundant arms: at the generating value of the spare joint. What an arm's numbers are from, and where no second
+source was found for them (the links of Epson's G6-651S and LS20-BA04S), stands in its file and in `pieper show`.
 
 | arm | joints | task | family | spare | most | counts (mean) | missed | us |
 |---|---|---|---|---|---|---|---|---|

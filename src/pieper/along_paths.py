@@ -106,8 +106,14 @@ class AlongPaths(AtScale):
         pose = checked_pose(T)
         world = setting(*self._plans_of(said), said, pose[None], np.zeros(1))
         if world.spare != 1:
-            cure = "hold joints with arm.with_joints_locked" if world.spare > 1 else "say a turn that is free"
-            raise PlanError(f"arcs need exactly one coordinate to choose, here there are {world.spare}; {cure}.")
+            words = "its own joints decide the turn, and arm.ik has every solution there is"
+            if world.spare > 1:
+                words = f"{world.spare} are left to choose; hold joints with arm.with_joints_locked"
+            elif self.plan.task != "position" and not said.turns:
+                words = "nothing is left to choose; say a turn that is free"
+            raise PlanError(
+                f"arcs are intervals of one coordinate that is free to choose; of {self.plan.name} {words}."
+            )
         return arcs_at(world, world.path[0])
 
     def _plans_of(self, free: Freedom) -> tuple[Plan, Plan]:
@@ -119,6 +125,9 @@ class AlongPaths(AtScale):
             "`arm.follow` takes such an arm, and holds the tool as the path says.",
         )
         if not free.turns and free.cone == 0 and free.interval == (0.0, 0.0):
+            return self.plan, self.plan
+        if self.plan.task == "position":
+            # the arm's own task leaves the whole orientation: there is nothing that could be freer
             return self.plan, self.plan
         if free.axis == "z" and self.plan.uncoupled is None:
             return self.plan, with_turn_limits(self.plan_for("position+axis"), free)
@@ -132,6 +141,7 @@ class AlongPaths(AtScale):
         return own, with_turn_limits(make_plan(chain.uncoupled, axes, task="position+axis"), free)
 
     def _keep(self, clearance: float, singularity: float, scene: Scene | None) -> Keep:
+        from pieper.collision import within
         from pieper.collision.scene import Scene
         from pieper.motion.route.keep import Keep, checked_number
 
@@ -155,4 +165,7 @@ class AlongPaths(AtScale):
         def nearest(q: Array) -> str:
             return " and ".join(self.distance(q, scene).pair)
 
-        return Keep(ratio, room, away, is_clear, nearest)
+        def at_most(q: Array, radius: Array) -> Array:
+            return within.at_most(self._collision_model(scene), q, radius)
+
+        return Keep(ratio, room, away, is_clear, nearest, at_most)

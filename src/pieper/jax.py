@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from pieper.code.differentiable import DifferentiableRows, Solvable, checked_plan, framework, pose_gradient, rows
+from pieper.code.differentiable import DifferentiableRows, Lends, Solvable, checked_plan, framework, pose_gradient, rows
+from pieper.errors import InputError
+from pieper.kinematics.pose import checked_pose
 
 
 def ik(arm: Solvable) -> Callable[[Any], Any]:
@@ -53,4 +55,15 @@ def ik(arm: Solvable) -> Callable[[Any], Any]:
         return (jax.pure_callback(native_gradient, shape, T, q, inside, cotangent[0], vmap_method="broadcast_all"),)
 
     solve.defvjp(forward, backward)
-    return lambda T: solve(jnp.asarray(T, jnp.float64))
+
+    def checked(T: Any) -> Any:
+        known = isinstance(T, jax.Array | np.ndarray) or not isinstance(T, Lends)
+        T = jnp.asarray(T if known else jnp.from_dlpack(T), jnp.float64)
+        if not isinstance(T, jax.core.Tracer):
+            # said here as an InputError; from within what is compiled JAX says it in an error of its own
+            checked_pose(np.asarray(T), "T", batch=True)
+        elif T.shape[-2:] != (4, 4):
+            raise InputError(f"T must have shape (..., 4, 4), got {T.shape}.", given=T.shape)
+        return solve(T)
+
+    return checked

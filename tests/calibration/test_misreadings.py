@@ -22,9 +22,9 @@ def case(name, seed=5):
     return arm, q, noisy(planted(arm, rng).fk(q), rng), rng
 
 
-def scaled(Y):
+def scaled(Y, many=1e3):
     out = Y.copy()
-    out[:, :3, 3] *= 1e3
+    out[:, :3, 3] *= many
     return out
 
 
@@ -90,6 +90,50 @@ def test_every_mixture_of_units_is_named_and_its_cure_works(name, units):
         assert ("in degrees" in str(refused.value)) == d and ("in millimetres" in str(refused.value)) == (s or m)
 
 
+#: Lengths as they may come, their factor to metres, and what a message says of them.
+LENGTHS = {
+    "in micrometres": 1e-6,
+    "in centimetres": 1e-2,
+    "in inches": 0.0254,
+    "in metres that were taken for millimetres": 1e3,
+}
+
+
+@pytest.mark.parametrize("kind", ["pose", "position", "distance"])
+@pytest.mark.parametrize("words", LENGTHS)
+@pytest.mark.parametrize("name", ["denso-vp6242", "fanuc-m-710ic-50", "epson-g6-651s", "stanford-arm"])
+def test_lengths_of_another_unit_are_recognised_by_their_size_and_the_cure_works(name, words, kind):
+    arm, rng = pieper.load(name), np.random.default_rng(3)
+    q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (60, arm.n))
+    T = arm.fk(q)
+    meant = {"pose": T, "position": T[:, :3, 3], "distance": np.linalg.norm(T[:, :3, 3] - [0.3, 0.1, 0.05], axis=1)}
+    told = meant[kind] / LENGTHS[words] if kind != "pose" else T.copy()
+    if kind == "pose":
+        told[:, :3, 3] /= LENGTHS[words]
+    with pytest.raises(pieper.InputError, match=f"what was measured is {words}") as refused:
+        arm.calibrate(q, told, kind=kind)
+    assert refused.value.left < 1e-9
+    factor = {"in micrometres": "1,000,000", "in centimetres": "100", "in inches": "0.0254"}.get(words, "1000")
+    assert str(refused.value).endswith(f"the measured lengths by {factor}.")
+
+
+@pytest.mark.parametrize("slides", [1.0, 1e-3])
+@pytest.mark.parametrize("turns", [1.0, np.pi / 180])
+def test_si_units_that_were_taken_for_degrees_and_millimetres_are_named(turns, slides):
+    arm, rng = pieper.load("epson-g6-651s"), np.random.default_rng(3)
+    q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (60, arm.n))
+    T = arm.fk(q)
+    if turns == slides == 1.0:
+        assert arm.calibrate(q, T).held_out.nominal_metres < 1e-9
+        return
+    with pytest.raises(pieper.InputError) as refused:
+        arm.calibrate(q * np.where(arm.chain.prismatic, slides, turns), T)
+    said = str(refused.value)
+    assert refused.value.left < 1e-9
+    assert ("radians that were taken for degrees" in said) == (turns != 1.0)
+    assert ("the slides are in metres that were taken for millimetres" in said) == (slides != 1.0)
+
+
 @pytest.mark.parametrize("name", ["adept-cobra-600", "denso-vp6242"])
 def test_units_and_a_frame_are_named_at_once_and_cure(name):
     arm, rng = pieper.load(name), np.random.default_rng(4)
@@ -107,9 +151,9 @@ def test_no_cure_is_given_that_leaves_more_than_an_arm_can_miss(name):
     arm, rng = pieper.load(name), np.random.default_rng(4)
     q = rng.uniform(*np.clip(arm.limits, -2.8, 2.8).T, (60, arm.n))
     p = arm.fk(q)[:, :3, 3]
-    # slides in inches, places in micrometres: units that are not tried
-    told = np.where(arm.chain.prismatic, q / 0.0254, np.degrees(q))
-    for data in (p * 1e6, p * 1e3 / 25.4):
+    # slides in feet, places in feet: units that are not tried
+    told = np.where(arm.chain.prismatic, q / 0.3048, np.degrees(q))
+    for data in (p * 1e6, p / 0.3048):
         with pytest.raises(pieper.InputError) as refused:
             arm.calibrate(told, data, kind="position")
         assert "left" not in refused.value.data or refused.value.left < arm.chain.length
@@ -281,3 +325,39 @@ def test_directions_that_are_not_seen_are_said_in_the_base_frame():
     q[:, 3:] = q[0, 3:]
     told = arm.calibrate(q, noisy(planted(arm, rng).fk(q), rng)).explain()
     assert " tilt " in told and "in the base frame with all joints at zero" in told
+
+
+@pytest.mark.parametrize(("unit", "many"), [("decimetres", 10.0), ("centimetres", 100.0), ("inches", 1 / 0.0254)])
+@pytest.mark.parametrize("name", ["universal-robots-ur5e", "denso-vp6242"])
+def test_an_arm_of_another_size_is_refused_with_the_unit(name, unit, many):
+    arm, q, Y, _ = case(name)
+    for kind, data in (("pose", scaled(Y, many)), ("position", many * Y[:, :3, 3])):
+        with pytest.raises(pieper.InputError, match=unit) as caught:
+            arm.calibrate(q, data, kind=kind, sigma=NOISE)
+        assert caught.value.unit == unit and abs(caught.value.larger / many - 1) < 0.05
+
+
+def test_postures_that_never_touched_the_plane_do_not_shrink_the_arm_to_a_point():
+    arm, q, _, _ = case("universal-robots-ur5e")
+    with pytest.raises(pieper.InputError, match="shrunk to a point"):
+        arm.calibrate(q, None, kind="plane", sigma=1e-4)
+
+
+def test_an_arm_whose_axes_turned_to_explain_the_data_is_refused():
+    arm, q, Y, _ = case("universal-robots-ur5e", 0)
+    with pytest.raises(pieper.InputError, match=r"another arm|belong together"):
+        arm.calibrate(q + 20.0, Y, sigma=NOISE)
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_zeros_a_third_of_a_radian_off_and_a_longer_tool_are_no_other_arm(name):
+    arm, q, Y, rng = case(name)
+    off = rng.uniform(-0.35, 0.35, arm.n) * np.where(arm.chain.prismatic, 0.1, 1.0)
+    longer = Y @ pieper.pose(0.02, 0.01, 0.15)
+    assert arm.calibrate(q + off, longer, sigma=NOISE).held_out.metres < 5e-4
+
+
+def test_lengths_said_far_too_noisy_are_told_though_turns_are_right():
+    arm, q, Y, _ = case("universal-robots-ur5e")
+    assert "Was sigma meant in metres" in arm.calibrate(q, Y, sigma=(50 * NOISE[0], NOISE[1])).explain()
+    assert "Was sigma meant in metres" not in arm.calibrate(q, Y, sigma=NOISE).explain()

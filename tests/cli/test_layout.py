@@ -141,3 +141,29 @@ def test_an_error_is_broken_between_words_where_it_stands_on_a_terminal(monkeypa
     assert failure._misuse("'kuka kr10' may be " + ", ".join(f"kuka-kr10-{i}" for i in range(9)) + ": say which.") == 2
     lines = capsys.readouterr().err.splitlines()
     assert len(lines) > 3 and max(map(len, lines)) <= 40 and lines[0].startswith("pieper: 'kuka kr10' may be")
+
+
+def test_lines_of_a_stacked_table_are_even_and_few(run):
+    # at 130 columns the residuals alone do not fit: they do not stand alone beneath either
+    lines = run("ik", "denso-vp6242", "350", "0", "400", "--all", width=130).splitlines()
+    at = next(i for i, line in enumerate(lines) if line.startswith("1 "))
+    assert lines[at + 1].split()[0] == "front," and "mm," in lines[at + 1] and "inside" in lines[at + 1]
+    # names that leave others no room stand above them
+    out = run("robots", "--joints", "4", width=40)
+    assert max(map(len, out.splitlines())) <= 40
+    assert len(out.splitlines()) <= 3 * 12 + 6, out
+
+
+def test_the_fewest_lines_are_taken_whatever_the_columns_are():
+    rng = np.random.default_rng(0)
+    for _ in range(200):
+        n = int(rng.integers(2, 9))
+        columns = [Column(f"head {j}" * int(rng.integers(1, 3)), bool(rng.integers(2))) for j in range(n)]
+        rows = [
+            ["w" * int(k) if c.words else "9" * int(k) for c, k in zip(columns, rng.integers(1, 14, n), strict=True)]
+        ]
+        for width in (24, 40, 80):
+            out = table("", columns, rows, width)
+            assert max(map(len, out.splitlines())) <= width
+            assert not tokens(table("", columns, rows, None).replace("─", "")) - tokens(out.replace("─", ""))
+            assert len(out.splitlines()) <= len(table("", columns, rows, width - 6).splitlines())

@@ -11,6 +11,7 @@ import pieper
 from pieper.cli.arguments import numbers
 from pieper.cli.pose_file import PoseFile
 from pieper.cli.units import Units
+from tests.calibration.command import main
 
 ARM = pieper.load("denso-vp6242")
 
@@ -147,3 +148,22 @@ def test_a_table_is_not_written_into_what_is_none(run, tmp_path, monkeypatch, wo
     status, _, complaint = run(*words, "--csv", file)
     assert status == 2 and said in " ".join(complaint.split())
     assert not (tmp_path / file).exists() and run(*words, "--csv", "rows.csv")[0] == 0
+
+
+def test_a_file_with_a_pose_on_each_line_is_no_pose(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    for count, row in ((3, "300 0 400"), (2, "300 0 400 0 0 0"), (4, "300 0 400"), (2, "1 0 0 300 0 1 0 0 0 0 1 400")):
+        (tmp_path / "poses.txt").write_text(f"{row}\n" * count)
+        # where many are meant they are many, where one is meant they are refused
+        assert main(["ik", "denso-vp6242", "@poses.txt"]) == 0
+        assert len(capsys.readouterr().out.splitlines()) == count + 1
+        assert main(["path", "denso-vp6242", "--from", "@poses.txt", "--to", "350 0 400"]) == 2
+        assert f"{count} lines of {len(row.split())} numbers" in (said := capsys.readouterr().err)
+        assert "@poses.csv" in said
+    # one pose may stand on two lines, a matrix on three: of the first it is said how it was read
+    (tmp_path / "pose.txt").write_text("350 0 400\n0 0 0\n")
+    assert main(["ik", "denso-vp6242", "@pose.txt"]) == 0
+    assert "taken for one pose" in capsys.readouterr().err
+    (tmp_path / "pose.txt").write_text("1 0 0 350\n0 1 0 0\n0 0 1 400\n")
+    assert main(["ik", "denso-vp6242", "@pose.txt"]) == 0
+    assert capsys.readouterr().err == ""

@@ -117,3 +117,77 @@ def test_torch_differentiates():
     assert np.abs(P.grad.numpy() - pose_gradient(arm.chain, T, found.q, found.inside, slope(*found))).max() < 1e-12
     again, _ = pieper.torch.ik(arm)(T)  # anything that speaks DLPack
     assert np.array_equal(again.numpy(), found.q)
+
+
+def test_no_poses_have_no_rows():
+    plan = pieper.load("denso-vp6242").plan
+    found = rows(plan, np.zeros((2, 0, 4, 4)))
+    assert found.q.shape == (2, 0, plan.max_solutions, 6) and found.inside.shape == (2, 0, plan.max_solutions)
+
+
+def test_a_spare_joint_is_refused_with_its_cure():
+    with pytest.raises(pieper.PlanError, match="with_joints_locked"):
+        checked_plan(pieper.load("franka-panda"))
+
+
+def test_torch_keeps_fractions_of_poses_in_whole_numbers():
+    torch = pytest.importorskip("torch")
+    arm = pieper.load("denso-vp6242")
+    # the base stands where every entry of a reached pose is a whole number
+    T = np.array([[0, 0, 1, 0], [0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]])
+    arm = arm.with_base(pieper.pose(-0.25, 0, -0.35))
+    q, inside = pieper.torch.ik(arm)(torch.tensor(T))
+    assert q.dtype == torch.float64 and inside.any()
+    assert np.abs(arm.fk(q[inside].numpy()) - T).max() < 1e-9
+    assert pieper.torch.ik(arm)(torch.tensor(T, dtype=torch.float32))[0].dtype == torch.float32
+    assert np.array_equal(pieper.torch.ik(arm)(T.tolist())[0], q)
+
+
+def test_torch_is_mapped_and_differentiated_by_its_functions():
+    torch = pytest.importorskip("torch")
+    arm = pieper.load("denso-vp6242")
+    solve, T = pieper.torch.ik(arm), torch.tensor(regular(arm, 6))
+    q, inside = solve(T)
+    assert torch.equal(torch.vmap(lambda P: solve(P)[0])(T), q)
+    assert torch.equal(torch.vmap(lambda P: solve(P)[1], in_dims=2)(T.permute(1, 2, 0)), inside)
+
+    def total(P):
+        q, inside = solve(P)
+        return torch.where(inside[..., None], torch.cos(q) + 0.3 * torch.sin(2 * q), 0.0).sum()
+
+    expected = pose_gradient(arm.chain, T.numpy(), q.numpy(), inside.numpy(), slope(q.numpy(), inside.numpy()))
+    for gradient in (torch.func.grad(total)(T), torch.vmap(torch.func.grad(total))(T)):
+        assert np.abs(gradient.numpy() - expected).max() < 1e-12
+    assert torch.func.jacrev(lambda P: solve(P)[0])(T[0]).shape == (*q.shape[1:], 4, 4)
+
+
+def test_torch_does_not_take_the_second_derivative_for_zero():
+    torch = pytest.importorskip("torch")
+    arm = pieper.load("denso-vp6242")
+    P = torch.tensor(regular(arm, 2), requires_grad=True)
+    q, _ = pieper.torch.ik(arm)(P)
+    (gradient,) = torch.autograd.grad(torch.sin(q).sum() + (P**3).sum(), P, create_graph=True)
+    with pytest.raises(NotImplementedError, match="first derivatives"):
+        gradient.sum().backward()
+
+
+def test_jax_refuses_in_pieper_s_words_what_is_no_pose():
+    jax = pytest.importorskip("jax")
+    arm = pieper.load("denso-vp6242")
+    solve, T = pieper.jax.ik(arm), arm.fk(np.full(6, 0.3))
+    with pytest.raises(pieper.InputError, match="left-handed"):
+        solve(T * np.array([1.0, 1.0, -1.0, 1.0]))
+    with pytest.raises(pieper.InputError, match="shape"):
+        jax.jit(solve)(T[:3])
+    assert solve(np.zeros((0, 4, 4)))[0].shape == (0, arm.plan.max_solutions, 6)
+
+    class Lent:
+        """An array of somebody else, that speaks DLPack alone."""
+
+        def __dlpack__(self, **asked):
+            return T.__dlpack__(**asked)
+
+        def __dlpack_device__(self):
+            return T.__dlpack_device__()
+
+    assert np.array_equal(solve(Lent())[0], solve(T)[0])

@@ -228,6 +228,16 @@ def test_other_words_are_refused(tmp_path):
         arm.code("c", tmp_path / "none" / "x.c")
 
 
+def test_a_path_that_ends_as_another_language_does_is_refused_and_not_written(tmp_path):
+    arm = pieper.load("denso-vp6242")
+    for language, ending in (("c", "py"), ("python", "c"), ("c++", "c"), ("matlab", "py"), ("jax", "m"), ("c", "MJS")):
+        with pytest.raises(pieper.InputError, match=r"ends as a file of .* asked for\. Name another file, or ask for"):
+            arm.code(language, tmp_path / f"x.{ending}")
+        assert not list(tmp_path.iterdir())
+    with pytest.raises(pieper.InputError, match="begins with no digit"):
+        arm.code("c", tmp_path / "x.c", "9x")
+
+
 def test_the_head_says_where_it_comes_from(tmp_path):
     arm = pieper.load("denso-vp6242")
     for language, ending in (("c", "c"), ("python", "py"), ("javascript", "mjs")):

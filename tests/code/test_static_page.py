@@ -146,3 +146,19 @@ def test_the_tool_goes_where_it_is_dragged_and_stays_where_nothing_reaches(site,
     page.mouse.up()
     assert page.locator("#dragged").inner_text() == ""
     page.close()
+
+
+@pytest.mark.parametrize("width", [360, 400, 820, 1440])
+def test_the_page_is_as_wide_as_the_window(site, browser, width):
+    page = browser.new_page(viewport={"width": width, "height": 850})
+    page.goto((site / "index.html").as_uri())
+    page.wait_for_selector("#solutions tr.row")
+    for name in NAMES:
+        page.select_option("#arm", name)
+        page.wait_for_function(f"state.arm && state.arm.name === {name!r}")
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        right = page.evaluate(
+            "Math.max(...[...document.querySelectorAll('output')].map(e => e.getBoundingClientRect().right))"
+        )
+        assert right <= width
+    page.close()

@@ -69,3 +69,26 @@ def test_angles_given_twice_and_quaternions_of_another_length_are_refused_with_t
     with pytest.raises(pieper.InputError, match="length 1.00499; a length off by up to 1e-3 is made 1"):
         pieper.pose(0, 0, 0, quat_wxyz=(1, 0.1, 0, 0))
     assert np.allclose(pieper.pose(0, 0, 0, quat_wxyz=(1 + 1e-7, 0, 0, 0)), np.eye(4))
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "the file is empty"),
+        ("hello", "not valid XML: syntax error.*Correct it there"),
+        ("version https://git-lfs.github.com/spec/v1\noid sha256:0", "pointer of Git LFS.*git lfs pull"),
+        ("<!DOCTYPE html><html><body>404</body></html>", "a web page.*raw file"),
+        ("<html><br></html>", "a web page.*raw file"),
+        ("<!DOCTYPE robot><robot/>", "Take it out"),
+        ("<mujoco/>", "an MJCF: give it the ending .xml"),
+        ("<sdf/>", "an SDF: convert it"),
+        ("<COLLADA/>", "a mesh: load the URDF"),
+        (robot(joint("j", "a", "b", kind="Revolute")), "of type 'Revolute': write 'revolute'"),
+        (robot(joint("j", "a", "b", xyz="0.1,0,0.2")), "apart by blanks, got '0.1,0,0.2'"),
+    ],
+)
+def test_what_is_no_urdf_is_told_with_a_cure(tmp_path, text, words):
+    file = tmp_path / "arm.urdf"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(pieper.InputError, match=words):
+        pieper.load(file)

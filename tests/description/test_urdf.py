@@ -7,11 +7,12 @@ import math
 import numpy as np
 import pytest
 
+import pieper
 from oracle.products import product
 from pieper.description import catalog, robotfile, urdf
 from pieper.description.commonnormal import standard_table
 from pieper.errors import InputError
-from tests.description.urdf_samples import LIMITS, joint, robot
+from tests.description.urdf_samples import ARM, LIMITS, joint, robot
 
 
 def pose_of(xyz, rpy):
@@ -211,3 +212,14 @@ def test_unknown_links_are_answered_with_the_known_ones():
 def test_a_missing_file_is_said_to_be_missing(tmp_path):
     with pytest.raises(InputError, match="no file"):
         urdf.read(tmp_path / "none.urdf")
+
+
+def test_of_two_origins_of_a_joint_the_first_counts_and_that_is_said(tmp_path):
+    twice = ARM[0].replace("<axis", '<origin xyz="0 0 9" rpy="0 0 1"/><axis').replace("</joint>", f"{LIMITS}</joint>")
+    file, plain = tmp_path / "twice.urdf", tmp_path / "plain.urdf"
+    file.write_text(robot(twice, *ARM[1:]))
+    plain.write_text(robot(*ARM))
+    arm, q = pieper.load(file), [0.3, 0.2, -0.4]
+    assert np.array_equal(arm.fk(q), pieper.load(plain).fk(q))
+    assert "Joint 'a' has more than one <origin>: the first counts, as in ROS." in arm.notes
+    assert not pieper.load(plain).notes

@@ -168,3 +168,21 @@ def test_four_solutions_whose_hidden_angles_all_but_coincide_are_four(size):
     many = arm.ik_many(arm.fk(q), threads=1)
     assert (many.status == Status.SOLVED).all() and (many.valid.sum(1) == 8).all()
     assert np.where(many.valid, arm.chain.joints.apart(many.q, q[:, None]), 9.0).min(1).max() < 1e-6
+
+
+def test_self_motions_at_the_edge_of_reach_are_certain_by_poses_beside_them_that_have_solutions():
+    """Around them nearly every pose has no solution at all, which says nothing of how many there are here."""
+    rows = [
+        DH(0.3, np.pi / 2, 0.674518879765554, 0.0),
+        DH(0.3, -np.pi / 2, 0.6411735187945852, np.pi / 2),
+        DH(0.7393717419709636, np.pi / 2, 0.0, 0.0),
+        DH(0.0, 0.0, 0.0, 0.0),
+        DH(0.3, 0.0, -0.1, -0.6694504028829149),
+        DH(-0.2, -np.pi / 2, -0.1, 0.8072665931395084),
+    ]
+    arm = Arm.from_dh(rows, convention="standard", joint_types="RPRRPR")
+    q = [np.pi, 0.0, -np.pi / 2, -0.82432452, -0.3, -2.71632769]
+    sols = arm.ik(arm.fk(q))
+    assert sols.status == Status.SINGULAR == arm.ik_many(arm.fk(q)[None]).status[0]
+    assert len(sols.self_motions) == 2 and sorted(sols.in_self_motion) == [0, 1]
+    assert any(motion.contains(np.array(q), 1e-6) for motion in sols.self_motions)

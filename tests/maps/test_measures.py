@@ -66,7 +66,7 @@ def test_measures_are_kept_in_the_store(tmp_path):
     arm = pieper.load("denso-vp6242")
     first, again = small(arm, store=tmp_path), small(arm, store=tmp_path)
     assert again.computed == 0 and np.array_equal(first.margin, again.margin)
-    with pytest.raises(pieper.InputError, match="measured"):
+    with pytest.raises(pieper.InputError, match="measure True there, False asked"):
         arm.reach_map(BOX, 0.3, (6, 4), store=tmp_path)
 
 

@@ -159,15 +159,15 @@ def test_the_store_of_another_map_is_refused(tmp_path):
     arm = pieper.load("denso-vp6242")
     small(arm, store=tmp_path)
     for other, word in (
-        (lambda: small(pieper.load("abb-irb140"), store=tmp_path), "arm_sha256"),
-        (lambda: small(arm.with_limits({"joint_2": (0.0, 1.0)}), store=tmp_path), "arm_sha256"),
-        (lambda: arm.reach_map(BOX, 0.2, (6, 4), store=tmp_path), "step_m"),
-        (lambda: arm.reach_map(BOX, 0.25, (6, 5), store=tmp_path), "turns"),
+        (lambda: small(pieper.load("abb-irb140"), store=tmp_path), "abb-irb140 asked"),
+        (lambda: small(arm.with_limits({"joint_2": (0.0, 1.0)}), store=tmp_path), "limits"),
+        (lambda: arm.reach_map(BOX, 0.2, (6, 4), store=tmp_path), "step"),
+        (lambda: arm.reach_map(BOX, 0.25, (6, 5), store=tmp_path), "orientations"),
     ):
         with pytest.raises(pieper.InputError, match=word):
             other()
     (tmp_path / "map.json").write_text("{")
-    with pytest.raises(pieper.InputError, match="cannot be used"):
+    with pytest.raises(pieper.InputError, match="does not say which map"):
         small(arm, store=tmp_path)
 
 
@@ -237,7 +237,7 @@ def test_sampled_orientations_of_a_palletizer_are_refused_and_its_own_are_asked(
 
 def test_a_page_that_says_of_no_map_is_refused(tmp_path):
     (tmp_path / "map.json").write_text("[]")
-    with pytest.raises(pieper.InputError, match="cannot be used"):
+    with pytest.raises(pieper.InputError, match="does not say which map"):
         pieper.load("denso-vp6242").reach_map(((0, 1), (0, 1), (0, 1)), 0.5, (4, 1), store=tmp_path)
 
 
@@ -290,7 +290,11 @@ def test_a_base_is_placed_where_most_poses_are_reached():
 def test_the_command_maps(tmp_path, capsys):
     said = ["map", "denso-vp6242", "--box", "-500 500 -500 500 0 700", "--step", "250", "--orientations", "6 4"]
     assert main([*said, "--out", str(tmp_path / "m")]) == 0
-    assert "voxels of 250 mm" in capsys.readouterr().out.replace("\n", " ")
+    out, told = capsys.readouterr()
+    assert "voxels of 250 mm" in out.replace("\n", " ")
+    assert told == "pieper: note: the box has whole voxels of 250 mm: it reaches z to 750 mm.\n"
+    whole = [word.replace("700", "750") for word in said]
+    assert main(whole) == 0 and capsys.readouterr().err == ""
     assert main([*said, "--workers", "1", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["volume_m3"] > 0
     assert main(["map", "denso-vp6242", "--box", "1 2 3", "--step", "250"]) == 2

@@ -45,7 +45,7 @@ def test_another_scene_is_another_map(tmp_path):
     kept = arm.reach_map(BOX, 0.5, (4, 2), scene=SCENE, store=tmp_path)
     assert arm.reach_map(BOX, 0.5, (4, 2), scene=SCENE, store=tmp_path).computed == 0
     for other in (None, pieper.Scene(), pieper.Scene(list(SCENE)[:1])):
-        with pytest.raises(pieper.InputError, match="around_sha256"):
+        with pytest.raises(pieper.InputError, match="what stands around the arm"):
             arm.reach_map(BOX, 0.5, (4, 2), scene=other, store=tmp_path)
     sent = pickle.loads(pickle.dumps(kept.around))
     assert isinstance(sent, Around) and sent.fingerprint == kept.around.fingerprint

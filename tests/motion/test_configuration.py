@@ -1,6 +1,7 @@
 """Configuration words: they tell every solution of a pose from the others, whole turns included."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ import pytest
 import pieper
 from pieper.errors import InputError
 from pieper.motion.dialects.configuration import MAKERS
-from pieper.motion.dialects.shape import has_shape
+from pieper.motion.dialects.shape import _signs, axes_at, has_shape
 
 ARMS = [
     (name, maker)
@@ -131,3 +132,14 @@ def test_an_arm_that_names_no_maker_is_taken_for_one_and_its_words_and_files_say
 def test_impossible_questions_are_refused(maker, q, word):
     with pytest.raises(InputError, match=word):
         pieper.load("abb-irb2400").configuration(q, maker)
+
+
+def test_what_words_are_made_of_does_not_depend_on_where_the_frames_of_parallel_axes_stand():
+    plain = pieper.load("abb-irb2400").description
+    rows = list(plain.rows)
+    assert rows[1].alpha == 0.0 and plain.convention == "standard"
+    rows[1], rows[2] = replace(rows[1], d=rows[1].d + 0.3), replace(rows[2], d=rows[2].d - 0.3)
+    arms = [pieper.Arm.from_dh(r, convention="standard") for r in (plain.rows, rows)]
+    for q in np.random.default_rng(6).uniform(-2, 2, (20, 6)):
+        one, other = (_signs(arm.plan, *(x[0] for x in axes_at(arm.chain, q[None]))) for arm in arms)
+        assert one == pytest.approx(other, abs=1e-12)

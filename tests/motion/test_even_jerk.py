@@ -87,7 +87,9 @@ def test_a_section_from_the_very_beginning_is_refused_and_says_why():
     limits = pieper.Limits(3.0, 10.0, 60.0)
     with pytest.raises(InputError, match="run-up .* 0 m/s"):
         pieper.time_law(seam(), limits, constant_speed=[(0.0, 0.5, 0.1)])
-    assert pieper.fastest_constant_speed(seam(), limits, 0.5, 1.0).limit == "run-out"
+    for section, place, limit in (((0.0, 0.5), 0.0, "run-up"), ((0.5, 1.0), 1.0, "run-out")):
+        none = pieper.fastest_constant_speed(seam(), limits, *section)
+        assert (float(none), none.s, none.limit) == (0.0, place, limit)
 
 
 def test_what_binds_is_told_the_speed_that_is_given_in_its_section():

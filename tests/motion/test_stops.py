@@ -79,6 +79,7 @@ def test_another_branch_that_passes_is_a_cure_with_its_joints():
     start = track.cures[0]
     assert start.kind == "start" and "branch" in start.words
     assert arm.follow(path, start=start.start).complete
+    assert start.amount == pytest.approx(np.abs(start.start - track.start).max(), abs=1e-12)
     for cure in track.cures[1:]:  # what is changed lets the branch pass that the arm is on: no start is needed too
         assert "starting" not in cure.words
         assert arm.follow(cure.path, start=track.start).complete

@@ -7,7 +7,7 @@ from scipy.interpolate import CubicSpline
 import pieper
 from pieper.errors import InputError
 from pieper.motion.curve import JointCurve
-from pieper.motion.tool_bounds import tool_curve
+from pieper.motion.tool_bounds import point_derivatives, tool_curve
 
 RNG = np.random.default_rng(11)
 UR = pieper.load("universal-robots-ur10e").with_tool(pieper.pose(0.05, 0.02, 0.35, rpy=(0, 0.6, 0)))
@@ -106,6 +106,11 @@ def test_the_same_path_backward_takes_the_same_time():
     assert there == pytest.approx(back, rel=1e-4)
 
 
+def test_a_motion_is_itself_and_may_be_a_key():
+    one, other = (pieper.time_law(START + np.array([[0.0] * 6, [0.1] * 6]), pieper.Limits(1.0, 2.0)) for _ in "ab")
+    assert one == one and one != other and {one: 1, other: 2}[one] == 1
+
+
 def test_slower_limits_stretch_time_exactly():
     q = RNG.uniform(-1, 1, (6, 3))
     one = pieper.time_law(q, pieper.Limits(2.0, 6.0)).duration
@@ -132,6 +137,16 @@ def test_the_tools_bounds_hold_between_the_points():
     bend = (p[2:] - 2 * p[1:-1] + p[:-2]) / h**2
     away = np.arange(1, len(fine) - 1) % 200 != 0
     assert np.abs(bend - exact.bend[1:-1])[away].max() < 2e-2 * np.abs(bend).max()
+
+
+def test_the_bound_between_the_points_is_the_least_of_a_tool_on_a_circle():
+    """What curves evenly departs from its chords by the bound itself: any less would let it pass a limit."""
+    arm = pieper.Arm.from_dh([pieper.DH(a=0.5)], convention="standard")
+    curve = JointCurve.through(np.linspace(0, 1, 9), np.linspace(0, 0.8, 9)[:, None])
+    bounds = tool_curve(arm.chain, curve)
+    middle, _ = point_derivatives(arm.chain, curve, (curve.s[1:] + curve.s[:-1]) / 2)
+    off = np.linalg.norm(middle - (bounds.point[1:] + bounds.point[:-1]) / 2, axis=1)
+    assert (off <= bounds.point_strays).all() and (off > 0.99 * bounds.point_strays).all()
 
 
 def test_the_tool_keeps_its_limits():

@@ -94,6 +94,26 @@ def test_self_motions_are_curves_of_the_joints():
         assert motion.contains(motion.at(0.4))
 
 
+def test_the_nearest_posture_of_a_self_motion_is_placed_to_rounding():
+    """From it no small step along the curve comes nearer: what is left of the way to it is square to the curve."""
+    half = np.pi / 2
+    rows = [pieper.DH(0.3, -half, 0.8), pieper.DH(1.0, theta=-half), pieper.DH(1.1, theta=half)]
+    rows += [pieper.DH(0.2, -half), pieper.DH(d=0.1)]
+    level = ((1, 0, 0, 0), (0, 1, 0, 0), (0, -1, 1, 0), (0, 0, -1, 0), (0, 0, 0, 1))
+    palletizer = pieper.Arm.from_dh(rows, convention="standard", coupling=level, limits=[(-4.0, 4.0)] * 4)
+    # the hand's axis on the first one
+    q = np.array([0.4, -0.6, np.pi - np.arccos((0.5 - np.sin(0.6)) / 1.1), 0.3])
+    q = next(v for v in (q, q * [1, 1, -1, 1]) if np.hypot(*palletizer.fk(v)[:2, 3]) < 1e-9)
+    motions = palletizer.ik(palletizer.fk(q)).self_motions
+    assert motions
+    rng = np.random.default_rng(4)
+    for motion, now in itertools.product(motions, q + rng.uniform(-0.6, 0.6, (4, 4))):
+        nearest = motion.nearest(now)
+        _, values, directions = np.linalg.svd(palletizer.jacobian(nearest))
+        assert values[-1] < 1e-9 < 1e-3 < values[-2]
+        assert abs(directions[-1] @ (nearest - now)) < 1e-7
+
+
 def test_a_line_is_followed_in_the_joints_numbers():
     arm, _, _ = coupled("abb-irb2400")
     q = np.array([0.1, 0.2, 0.1, 0.3, 0.5, 0.2])

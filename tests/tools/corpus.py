@@ -62,7 +62,10 @@ def judged(path: Path) -> Outcome:
     last = arm.description.joint_names[-1]
     if FINGER.search(last):
         return Outcome("FINGER", last)
-    worst = _worst(path, arm)
+    try:
+        worst = _worst(path, arm)
+    except (ValueError, LookupError) as error:  # a branch of the file beside the arm cannot be read, say
+        return Outcome("loads, not compared", f"{type(error).__name__}: {error}")
     return Outcome("loads" if worst < 1e-9 else "DIFFERS", f"{arm.n} joints", worst)
 
 

@@ -33,7 +33,19 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from tests.tools.reached import INTO, PROBES, TEXT, Recorded, ordered, probed, reaching, within_functions
+from tests.tools.reached import (
+    INTO,
+    LONGEST,
+    PROBES,
+    TEXT,
+    Recorded,
+    cost,
+    file_of,
+    ordered,
+    probed,
+    reaching,
+    within_functions,
+)
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "src" / "pieper"
@@ -142,10 +154,13 @@ def sample(wings: list[str], count: int, seed: int) -> list[Change]:
     return random.Random(seed).sample(every, min(count, len(every)))
 
 
-def tested(tests: list[str], limit: float | None, *, into: Path | None = None) -> tuple[str, float]:
+def tested(
+    tests: list[str], limit: float | None, *, into: Path | None = None, longest: float = math.inf
+) -> tuple[str, float]:
     """Run tests on the copy; return "noticed by ..." or "survived", and the processor seconds it took.
 
-    Into a file goes which places they come to, if one is named; then all are run, else only until one fails.
+    Into a file goes which places they come to, if one is named; then all are run that begin before the longest time is
+    over, else only until one fails.
     """
 
     def work() -> int:
@@ -154,7 +169,7 @@ def tested(tests: list[str], limit: float | None, *, into: Path | None = None) -
         words = "-q -p no:cacheprovider --no-header --tb=no -n 0".split()
         if into is None:
             return int(pytest.main([*words, "-x", *tests]))
-        os.environ[INTO] = str(into)
+        os.environ |= {INTO: str(into), LONGEST: str(longest)}
         return int(pytest.main([*words, "-p", "tests.tools.reached", *tests]))
 
     return limited(work, limit)
@@ -198,21 +213,26 @@ def limited(work: Callable[[], int], limit: float | None) -> tuple[str, float]:
     return (f"noticed: {failed[0] if failed else text[-200:]}" if status else "survived"), spent
 
 
-def recorded(state: dict[str, Any], folders: list[str], longest: float | None) -> list[Recorded]:
-    """Return what each file of tests comes to; those not seen as they are now are run on the copy that says so."""
+def recorded(state: dict[str, Any], folders: list[str], longest: float) -> list[Recorded]:
+    """Return what each file of tests comes to; those not seen as they are now are run on the copy that says so.
+
+    Of a file that takes longer than the longest time its first tests are known; one test alone may take twice that.
+    """
     out = []
     for path in (p for folder in folders for p in sorted((ROOT / folder).rglob("test_*.py"))):
         file, text = str(path.relative_to(ROOT)), hashlib.sha1(path.read_bytes()).hexdigest()
-        if state["reached"].get(file, {}).get("text") != text:
+        seen = state["reached"].get(file, {})
+        if seen.get("text") != text or "prepares" not in seen:
             into = COPY.parent / "reached.json"
             into.unlink(missing_ok=True)
-            said, spent = tested([file], longest, into=into)
-            seen = json.loads(into.read_text()) if into.exists() else {"seconds": {}, "places": {}}
+            limit = None if math.isinf(longest) else STARTS + 2 * longest
+            said, spent = tested([file], limit, into=into, longest=longest)
+            seen = json.loads(into.read_text()) if into.exists() else {"seconds": {}, "places": {}, "prepares": 0.0}
             state["reached"][file] = {"text": text, **seen}
             keep(state)
             left = " is left out: it takes too long" if said == "noticed: it takes too long" else ""
             print(f"[{spent:.0f} s] what {file} comes to{left}", flush=True)
-        out.append(Recorded(state["reached"][file]["seconds"], state["reached"][file]["places"]))
+        out.append(Recorded(*(state["reached"][file][key] for key in Recorded._fields)))
     return out
 
 
@@ -228,10 +248,11 @@ def tried(change: Change, place: int, known: list[Recorded], budget: float | Non
     """Try a change on the tests that come to it; return what is said, the processor seconds and how many were asked."""
     loaded = change.span not in within_functions(ast.parse((SOURCE / change.path).read_text()))
     tests = reaching(known, place, loaded=loaded)
-    asked = ordered(tests, Path(change.path).stem, budget)
+    prepares = {file_of(name): one.prepares for one in known for name in one.seconds}
+    asked = ordered(tests, Path(change.path).stem, budget, prepares)
     if not asked:
         return "survived", 0.0, 0
-    said, spent = tested(asked, STARTS + TIMES_AS_LONG * sum(tests[name] for name in asked))
+    said, spent = tested(asked, STARTS + TIMES_AS_LONG * cost(asked, tests, prepares))
     return said, spent, len(asked)
 
 
@@ -273,7 +294,7 @@ def main() -> None:
         "--budget", type=float, help="processor seconds of tests a change at the most; none: all that reach it"
     )
     parser.add_argument(
-        "--longest", type=float, help="leave out files of tests that take more processor seconds than this"
+        "--longest", type=float, default=math.inf, help="ask no test of a file that begins after so many seconds of it"
     )
     parser.add_argument("--again", action="store_true", help="try the survivors again, after new tests")
     parser.add_argument("--seconds", type=float, default=math.inf, help="stop after so many, and go on another time")

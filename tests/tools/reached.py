@@ -3,7 +3,7 @@
 In a copy of the package each place that a change would alter says that it is evaluated, beside doing what it does:
 that costs a call where coverage costs one a line, so a run of the tests is hardly longer for it. As a plugin of pytest
 (-p tests.tools.reached) this file knows which test is running, and writes down what it came to and how long it took.
-What a test's preparation comes to counts for every test of its file, which may share it.
+What a test's preparation comes to counts for every test of its file, which may share it; so its time is the file's.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from typing import Any, NamedTuple
 
 import pytest
 
-#: Where the plugin writes what it saw; not named: it does nothing.
-INTO = "PIEPER_REACHED_BY_TESTS"
+#: Where the plugin writes what it saw; not named: it does nothing. After how many processor seconds it ends.
+INTO, LONGEST = "PIEPER_REACHED_BY_TESTS", "PIEPER_REACHED_IN_SECONDS"
 #: The module of the copy that is told what is evaluated, its text, and what its function is called where it is used.
 PROBES, CALLED = "probes", "_evaluated"
 TEXT = """RUNNING, SEEN = [""], {}
@@ -31,14 +31,16 @@ def evaluated(number):
 """
 Span = tuple[int, int, int, int]
 spent: dict[str, float] = {}
+prepared: dict[str, float] = {}
 passed: set[str] = set()
 
 
 class Recorded(NamedTuple):
-    """What one file of tests does: the processor seconds of each test, and the places that each comes to."""
+    """What one file of tests does: the processor seconds of each test and of what is prepared, and who comes where."""
 
     seconds: dict[str, float]
     places: dict[str, list[int]]
+    prepares: float = 0.0
 
 
 class _Probing(ast.NodeTransformer):
@@ -106,19 +108,28 @@ def _named(running: str) -> None:
         _probes().RUNNING[0] = running
 
 
-def pytest_runtest_setup(item: pytest.Item) -> None:
-    """Count what a preparation comes to for the whole file."""
-    _named(item.nodeid.split("::")[0])
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_setup(item: pytest.Item) -> Iterator[None]:
+    """Count what a preparation comes to, and its time, for the whole file."""
+    file, begin = file_of(item.nodeid), time.process_time()
+    _named(file)
+    try:
+        return (yield)
+    finally:
+        prepared[file] = prepared.get(file, 0.0) + time.process_time() - begin
 
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
-    """Take the time of a test with what it prepares and clears away."""
-    begin = time.process_time()
+    """Take the time of a test with what it clears away."""
+    file, begin = file_of(item.nodeid), time.process_time()
+    before = prepared.get(file, 0.0)
     try:
         return (yield)
     finally:
-        spent[item.nodeid] = time.process_time() - begin
+        spent[item.nodeid] = time.process_time() - begin - (prepared.get(file, 0.0) - before)
+        if time.process_time() > float(os.environ.get(LONGEST, "inf")):
+            item.session.shouldstop = "long enough"
 
 
 @pytest.hookimpl(wrapper=True)
@@ -128,7 +139,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[None]:
     try:
         return (yield)
     finally:
-        _named(pyfuncitem.nodeid.split("::")[0])
+        _named(file_of(pyfuncitem.nodeid))
 
 
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
@@ -142,7 +153,8 @@ def pytest_sessionfinish() -> None:
     if path := os.environ.get(INTO):
         seconds = {name: s for name, s in spent.items() if name in passed}
         places = {name: sorted(numbers) for name, numbers in _probes().SEEN.items()}
-        Path(path).write_text(json.dumps({"seconds": seconds, "places": places}))
+        said = {"seconds": seconds, "places": places, "prepares": sum(prepared.values())}
+        Path(path).write_text(json.dumps(said))
 
 
 def reaching(recorded: list[Recorded], place: int, *, loaded: bool) -> dict[str, float]:
@@ -151,25 +163,40 @@ def reaching(recorded: list[Recorded], place: int, *, loaded: bool) -> dict[str,
     What is evaluated when a file is loaded may matter to any test, so all are asked where a place is such a one.
     """
     out: dict[str, float] = {}
-    for seconds, places in recorded:
+    for seconds, places, _ in recorded:
         for name, numbers in places.items():
             if place in numbers:
                 out |= seconds if "::" not in name else {name: seconds[name]} if name in seconds else {}
-    return out | ({name: s for seconds, _ in recorded for name, s in seconds.items()} if loaded else {})
+    return out | ({name: s for seconds, *_ in recorded for name, s in seconds.items()} if loaded else {})
 
 
-def ordered(tests: dict[str, float], module: str, budget: float | None) -> list[str]:
+def cost(asked: Iterable[str], tests: dict[str, float], prepares: dict[str, float]) -> float:
+    """Return the processor seconds that tests take, with what their files prepare, each once."""
+    asked = list(asked)
+    return sum(tests[name] for name in asked) + sum(
+        prepares.get(file, 0.0) for file in {file_of(name) for name in asked}
+    )
+
+
+def file_of(name: str) -> str:
+    """Return the file of a test."""
+    return name.split("::")[0]
+
+
+def ordered(tests: dict[str, float], module: str, budget: float | None, prepares: dict[str, float]) -> list[str]:
     """Return tests in the order to ask them: of the file named after the module first, then the quickest.
 
-    With a budget those are left out with which the processor seconds would go beyond it, but never the first.
+    What a file prepares counts for each of its tests in that order, and once in the budget. With a budget those are
+    left out with which the processor seconds would go beyond it, but never the first.
     """
-    asked = sorted(tests, key=lambda name: (f"test_{module}.py" not in name, tests[name]))
+    asked = sorted(
+        tests, key=lambda name: (f"test_{module}.py" not in name, tests[name] + prepares.get(file_of(name), 0.0))
+    )
     if budget is None:
         return asked
-    out, total = [], 0.0
+    out: list[str] = []
     for name in asked:
-        total += tests[name]
-        if out and total > budget:
+        if out and cost([*out, name], tests, prepares) > budget:
             break
         out.append(name)
     return out

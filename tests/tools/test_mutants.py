@@ -6,12 +6,13 @@ import ast
 import os
 import signal
 import time
+from types import SimpleNamespace
 
 import pytest
 
-from tests.tools import mutants
+from tests.tools import mutants, reached
 from tests.tools.mutants import Change, changes, limited, sample, with_change
-from tests.tools.reached import Recorded, ordered, probed, reaching
+from tests.tools.reached import Recorded, cost, ordered, probed, reaching
 
 
 def test_what_works_longer_than_its_processor_time_is_stopped_and_what_only_waits_is_not():
@@ -64,14 +65,22 @@ def test_words_and_types_are_left_alone_and_comparisons_signs_and_or_are_turned(
 
 def test_the_test_of_its_own_file_is_asked_first_then_the_quickest_within_the_budget():
     tests = {"t/test_slow.py::a": 9.0, "t/test_other.py::b": 0.1, "t/test_rows.py::c": 3.0, "t/test_other.py::d": 0.2}
-    assert ordered(tests, "rows", None) == [
+    assert ordered(tests, "rows", None, {}) == [
         "t/test_rows.py::c",
         "t/test_other.py::b",
         "t/test_other.py::d",
         "t/test_slow.py::a",
     ]
-    assert ordered(tests, "rows", 3.2) == ["t/test_rows.py::c", "t/test_other.py::b"]
-    assert ordered(tests, "slow", 1.0) == ["t/test_slow.py::a"]
+    assert ordered(tests, "rows", 3.2, {}) == ["t/test_rows.py::c", "t/test_other.py::b"]
+    assert ordered(tests, "slow", 1.0, {}) == ["t/test_slow.py::a"]
+
+
+def test_what_a_file_prepares_counts_once_and_puts_its_tests_behind_quicker_ones():
+    tests = {"t/test_a.py::x": 0.1, "t/test_a.py::y": 0.1, "t/test_b.py::z": 0.5}
+    prepares = {"t/test_a.py": 60.0}
+    assert cost(["t/test_a.py::x", "t/test_a.py::y"], tests, prepares) == pytest.approx(60.2)
+    assert ordered(tests, "rows", None, prepares) == ["t/test_b.py::z", "t/test_a.py::x", "t/test_a.py::y"]
+    assert ordered(tests, "rows", 5.0, prepares) == ["t/test_b.py::z"]
 
 
 @pytest.mark.parametrize("text", ["é = 1 < 2\n", "x = ('é', 1 < 2)\n"])
@@ -113,3 +122,28 @@ def test_a_test_is_asked_that_comes_to_the_place_and_all_are_where_it_is_evaluat
     assert reaching([one, two], 4, loaded=False) == {"b.py::z": 0.5}
     assert reaching([one, two], 5, loaded=False) == {}
     assert reaching([one, two], 5, loaded=True) == {"a.py::x": 1.0, "a.py::y": 2.0, "b.py::z": 0.5}
+
+
+def test_what_is_prepared_is_no_part_of_a_test_s_time_and_a_file_ends_after_the_longest_time(monkeypatch):
+    monkeypatch.setattr(reached, "spent", {})
+    monkeypatch.setattr(reached, "prepared", {})
+    item = SimpleNamespace(nodeid="t/test_a.py::x", session=SimpleNamespace(shouldstop=False))
+
+    def run(hook, inside=lambda: None):
+        steps = hook(item)
+        next(steps)
+        inside()
+        with pytest.raises(StopIteration):
+            steps.send(None)
+
+    def busy():
+        begin = time.process_time()
+        while time.process_time() < begin + 0.2:
+            pass
+
+    run(reached.pytest_runtest_protocol, lambda: run(reached.pytest_runtest_setup, busy))
+    assert reached.prepared["t/test_a.py"] >= 0.2 > 0.1 > reached.spent["t/test_a.py::x"]
+    assert not item.session.shouldstop
+    monkeypatch.setenv(reached.LONGEST, "0")
+    run(reached.pytest_runtest_protocol)
+    assert item.session.shouldstop

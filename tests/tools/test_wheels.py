@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import os
 import struct
+import subprocess
 import sys
 import zipfile
 from pathlib import Path
@@ -22,7 +23,7 @@ def room(name):
     return module
 
 
-audit_wheel, zig_compiler = room("audit_wheel"), room("zig_compiler")
+audit_wheel, try_wheel, zig_compiler = room("audit_wheel"), room("try_wheel"), room("zig_compiler")
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="ELF is Linux's format")
 
 
@@ -80,3 +81,33 @@ def test_zig_is_told_the_machine_and_the_library(tmp_path):
     tools = zig_compiler.zig_tools(tmp_path, "python3", "aarch64-linux-gnu.2.17")
     assert "-mcpu=baseline -target aarch64-linux-gnu.2.17" in Path(tools["CXX"]).read_text()
     assert "-target" not in Path(zig_compiler.zig_tools(tmp_path, "python3")["CXX"]).read_text()
+
+
+def test_the_interpreter_tried_is_no_script_that_needs_the_path(tmp_path, monkeypatch):
+    real = Path(sys.base_prefix, "bin", f"python3.{sys.version_info.minor}").resolve()
+    shim = tmp_path / f"python3.{sys.version_info.minor}"
+    shim.write_text(f'#!/usr/bin/env bash\nexec "{real}" "$@"\n')
+    broken = tmp_path / f"python3.{sys.version_info.minor + 1}"
+    broken.write_text("no interpreter")
+    for script in (shim, broken):
+        script.chmod(0o755)
+    monkeypatch.setenv("PATH", os.pathsep.join([str(tmp_path), "/usr/bin", "/bin"]))
+    monkeypatch.setenv("PYENV_ROOT", str(tmp_path / "none"))
+    there = try_wheel.interpreters()
+    python = there[sys.version_info[:2]]
+    assert python.samefile(real) and python != shim
+    assert (3, sys.version_info.minor + 1) not in there or there[3, sys.version_info.minor + 1] != broken
+    said = subprocess.run(
+        [str(python), "-c", "print(6 * 7)"], capture_output=True, text=True, env={"PATH": ""}, check=True
+    )
+    assert said.stdout.strip() == "42"
+
+
+@pytest.mark.parametrize("wheels", [[], ["pieper-0.1.0-cp311-cp311-none.whl"]])
+def test_a_wheel_that_cannot_be_installed_is_a_failure_and_nothing_wrong_is_none(tmp_path, wheels):
+    script = str(ROOT / "build_backend" / "try_wheel.py")
+    alone = os.environ | {"PYENV_ROOT": str(tmp_path), "PATH": f"{sys.base_prefix}/bin"}
+    done = subprocess.run([sys.executable, script, *wheels], capture_output=True, env=alone, cwd=tmp_path, check=False)
+    ours = sys.version_info[:2] == (3, 11)
+    assert done.returncode == (1 if wheels and ours else 0), done.stderr
+    assert bool(done.stderr) == bool(wheels and ours)

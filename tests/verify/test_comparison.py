@@ -173,6 +173,23 @@ def test_mujoco_reads_the_model_itself(tmp_path):
     assert all(line.agrees for line in found.lines if "kinematics" in line.what or "Jacobian" in line.what), str(found)
 
 
+def test_mujoco_reads_a_model_whose_joints_and_bodies_have_no_names(tmp_path):
+    pytest.importorskip("mujoco")
+    file = tmp_path / "arm.xml"
+    # the second joint has the name that the first would be given, and the second body that of the first
+    file.write_text(
+        """<mujoco><worldbody><body euler="10 20 30"><geom size=".1"/><joint axis="0 0 1" range="-90 90"/>
+        <body name="body_1" pos=".3 0 .1"><geom size=".1"/><joint name="joint_0" axis="0 1 0" range="-90 90"/>
+        <body pos=".2 .1 0"><geom size=".1"/><joint type="slide" axis="0 1 0" range="-.2 .3"/></body>
+        </body></body></worldbody></mujoco>"""
+    )
+    arm = pieper.load(file)
+    assert arm.n == 3 and len(set(arm.joint_names)) == 3
+    found = arm.verify("mujoco", poses=12)
+    assert "arm.xml itself" in found.conventions
+    assert all(line.agrees for line in found.lines if "kinematics" in line.what or "Jacobian" in line.what), str(found)
+
+
 def test_the_command_line_prints_the_table_and_the_report_has_it(capsys, monkeypatch, tmp_path):
     pytest.importorskip("click")
     from pieper.cli import main

@@ -85,6 +85,20 @@ struct AxisEquations {
   }
 };
 
+// The same where the middle joint slides: what it cannot change are the two coordinates across it.
+struct AcrossEquations {
+  const Swing &w, &u;
+  bool slides_a, slides_c;
+  void operator()(double a, double c, Separable& flat, Separable& bent) const {
+    Vec3 p = swing_at(w, a, slides_a), r = swing_at(u, c, slides_c), dp, ddp, dr, ddr;
+    swing_slopes(w, a, slides_a, dp, ddp);
+    swing_slopes(u, c, slides_c, dr, ddr);
+    flat = {p.x - r.x, dp.x, -dr.x, ddp.x, -ddr.x};
+    bent = {p.y - r.y, dp.y, -dr.y, ddp.y, -ddr.y};
+    flatter_first(flat, bent);
+  }
+};
+
 // B Z c as a function of the joint.
 template <class F> PIEPER_INLINE SwingT<F> swing_of(const RigidT<F>& B, Vec3T<F> c, bool slides) {
   const F zero(0.0);
@@ -149,9 +163,11 @@ inline void solve_position(const Rigid& A, const Rigid& B, Vec3 c, Vec3 g, const
   solve_pair(s, pairs);
   out.degenerate = pairs.degenerate;
   const AxisEquations equations{w, u, slides[0], slides[2]};
+  const AcrossEquations across{w, u, slides[0], slides[2]};
   for (int i = 0; i < pairs.count; ++i) {
     double refined[2][2] = {{pairs.a[i], pairs.c[i]}, {}};
-    int branches = slides[1] ? 1 : refine_pair(equations, pairs.a[i], pairs.c[i], refined);
+    int branches = slides[1] ? refine_pair(across, pairs.a[i], pairs.c[i], refined)
+                             : refine_pair(equations, pairs.a[i], pairs.c[i], refined);
     for (int k = 0; k < branches; ++k) {
       Vec3 from = swing_at(u, refined[k][1], slides[2]), to = swing_at(w, refined[k][0], slides[0]);
       bool free = false;

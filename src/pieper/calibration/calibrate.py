@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pieper import arguments
+from pieper.calibration.departure import refuse_another_arm
 from pieper.calibration.fit import Fit, HeldOut
 from pieper.calibration.least_squares import Fitted, fit, linearised, outlying, sizes_of
 from pieper.calibration.measurements import BLIND, SETUP, WIDTH, Measurements, measured_as, noise_of
@@ -65,6 +66,7 @@ def calibrate(
     sizes = sizes_of(parameters, data, chain.length)
     found, used = _fitted(nominal, parameters, joints[fitted_on], start, noise, sizes, loss)
     _refuse_strangers(found, joints[fitted_on])
+    refuse_another_arm(nominal, found.model, joints[fitted_on])
     # noise that was said too small would make the prediction too good
     covariance = (found.seen.T / found.strength**2) @ found.seen * max(1.0, found.spread) ** 2
     free = sizes * np.concatenate([parameters.free, np.ones(SETUP[kind], bool)])
@@ -126,7 +128,7 @@ def _refuse_strangers(found: Fitted, q: Array) -> None:
     missed = float(np.median(np.linalg.norm(way[~found.outliers], axis=1))) if (~found.outliers).any() else 0.0
     said = found.data.values[:, None] if found.data.kind == "distance" else T[:, :3, 3]
     vary = float(np.median(np.linalg.norm(said - np.median(said, axis=0), axis=1)))
-    if vary > 0 and missed > EXPLAINS_NOTHING * vary:
+    if vary > LEAST_NOISE and missed > EXPLAINS_NOTHING * vary:
         raise InputError(
             f"even the fitted arm misses the data by {missed:.3g} m (median), where they vary by {vary:.3g} m: "
             "read so, joints and measurements do not belong together. Rows may be shuffled or out of step by "

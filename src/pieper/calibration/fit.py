@@ -23,7 +23,7 @@ from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.joints import TURN, inside
 from pieper.kinematics.pose import PoseLike
-from pieper.tolerances import FAR_LESS
+from pieper.tolerances import ENOUGH_HELD, FAR_LESS
 
 PI = np.pi
 #: By how much (rad, m) joint terms change a value at most: farther outside its limits a chain's value is not tried.
@@ -219,6 +219,15 @@ class Fit:
             + f"; the nominal arm misses by {_mm(held.nominal_metres)}."
         )
 
+    def _left(self) -> float:
+        """What is left as a part of the noise that was said: of all numbers, or of lengths or turns held out alone."""
+        held, parts = self.held_out, [self.spread]
+        if held is not None and held.count >= ENOUGH_HELD and self.kind == "pose":
+            parts.append(held.metres / held.predicted_metres)
+            if held.radians is not None and held.predicted_radians is not None:
+                parts.append(held.radians / held.predicted_radians)
+        return min(parts)
+
     def explain(self) -> str:
         """Tell what was fitted, how well, and what was not seen."""
         used, held = self.rows
@@ -234,9 +243,10 @@ class Fit:
                 f"What is left is {self.spread:z.1f} times the noise: these numbers do not say all that this arm does "
                 "(bending, play, joint terms), or the noise is larger than was said. The covariance counts it as noise."
             )
-        if self.spread < FAR_LESS:
+        left = self._left()
+        if left < FAR_LESS:
             lines.append(
-                f"What is left is {1 / self.spread:z.0f} times less than the noise that was said: numbers held back by "
+                f"What is left is {1 / left:z.0f} times less than the noise that was said: numbers held back by "
                 "it may be wrong. Was sigma meant in metres and radians? Without sigma= the noise is found from the "
                 "data."
             )

@@ -55,7 +55,7 @@ class Target:
     bare: bool
 
 
-def numbers(words: Sequence[str], what: str, *, pairs: bool = False) -> list[float]:
+def numbers(words: Sequence[str], what: str, *, pairs: bool = False, pose: bool = False) -> list[float]:
     """Return the numbers of words that may hold several, apart by spaces or commas, or name a file as @file.
 
     Between semicolons or tabs a comma stands before decimals.
@@ -64,6 +64,7 @@ def numbers(words: Sequence[str], what: str, *, pairs: bool = False) -> list[flo
         words: What was typed. Expressions such as pi/2 or sqrt(2)/2 are numbers too.
         what: Its name, for messages.
         pairs: Whether "0,5 0,7" may be four numbers. Elsewhere nobody can tell whether they are two.
+        pose: Whether they are one pose: a file with a pose on each line is a table then, which has its own ending.
 
     Raises:
         InputError: Something is not a number; the message says which word.
@@ -72,7 +73,10 @@ def numbers(words: Sequence[str], what: str, *, pairs: bool = False) -> list[flo
     for word in words:
         if word.startswith("@"):
             lines = [line.split("#")[0].strip("[] \t") for line in read_text(word[1:], what).splitlines()]
-            parts += [(part, f"{what}, file {word[1:]}") for line in lines for part in _parts(line, pairs)]
+            rows = [row for line in lines if (row := _parts(line, pairs))]
+            if pose:
+                _one_pose([len(row) for row in rows], what, word[1:])
+            parts += [(part, f"{what}, file {word[1:]}") for row in rows for part in row]
             continue
         brackets = "[]() \t\n" if word.count("(") == word.count(")") + 1 else "[] \t\n"
         parts += [(part, what) for part in _parts(word.strip(brackets), pairs)]
@@ -84,6 +88,18 @@ def numbers(words: Sequence[str], what: str, *, pairs: bool = False) -> list[flo
                 given=part,
             )
     return [number(one.strip("[]"), where) for part, where in parts for one in part.split(",") if one.strip("[]")]
+
+
+def _one_pose(counts: list[int], what: str, name: str) -> None:
+    """Refuse a file with a pose on each line, and say of two lines of three numbers how they are read."""
+    if len(counts) < 2 or len(set(counts)) > 1 or counts[0] not in (3, 6, 7, 12, 16):
+        return
+    table = f"A table, one pose a line, is read where its name ends in .csv: @{Path(name).stem}.csv."
+    if counts == [3, 3]:
+        said = f"{what}: the two lines of {name} were taken for one pose, x y z and its angles. {table}"
+        warnings.warn(said, PieperWarning, stacklevel=3)
+        return
+    raise InputError(f"{what}: {name} has {len(counts)} lines of {counts[0]} numbers. {table}", path=name)
 
 
 #: Two numbers and a comma, or one with a comma before its decimals or between its thousands.
@@ -196,7 +212,7 @@ def target(words: Sequence[str], units: Units, order: str = "rpy", what: str = "
     Raises:
         InputError: Another count of numbers, not a rotation.
     """
-    values = numbers(words, what)
+    values = numbers(words, what, pose=True)
     T, bare = posed(values, units, order, what)
     far = float(np.linalg.norm(T[:3, 3]))
     if units.length == "mm" and 0 < far < SUSPICIOUSLY_SMALL:

@@ -26,6 +26,9 @@ from pieper.cli.units import ANGLES, LENGTHS, Units
 #: The column of what is one number a row.
 COLUMN = {"distance": "distance", "plane": "height"}
 
+#: Where units are said.
+_UNITS = "The name of a column may say its unit (x_mm or x_m, q1_deg or q1_rad); without, --length and --angle do."
+
 Numbers = npt.NDArray[np.float64]
 
 
@@ -81,16 +84,21 @@ def command(
     measured = _measured(table, kind, units, order)
     if unused := [head for j, head in enumerate(table.heads) if j not in table.used]:
         print(f"pieper: note: not used of {table.name}: {', '.join(unused)}.", file=sys.stderr)
-    fit = arm.calibrate(
-        q,
-        measured,
-        kind=kind,
-        sigma=_noise(sigma, units),
-        hold=hold,
-        joint_terms=tuple(term for term in terms.replace(",", " ").split() if term),
-        loss=loss,
-        holdout=holdout,
-    )
+    try:
+        fit = arm.calibrate(
+            q,
+            measured,
+            kind=kind,
+            sigma=_noise(sigma, units),
+            hold=hold,
+            joint_terms=tuple(term for term in terms.replace(",", " ").split() if term),
+            loss=loss,
+            holdout=holdout,
+        )
+    except InputError as error:
+        if "unit" not in error.data:
+            raise
+        raise InputError(f"{error} {_UNITS}", **error.data) from None
     if out:
         fit.save(out)
     if report:

@@ -86,8 +86,10 @@ def table(
         widths[-1], places = int(rest), [list(range(len(columns)))]
     else:
         longest = max((_longest(c, [row[j] for row in rows]) for j, c in enumerate(columns) if j), default=0)
-        alone = widths[0] + GAP + longest > width
-        places, widths = _stacked(columns, widths, width, alone)
+        must = widths[0] + GAP + longest > width
+        # under a long first column the others may need more lines than beneath it
+        ways = [(a, *_evenly_stacked(columns, widths, width, a)) for a in ((True,) if must else (False, True))]
+        alone, places, widths = min(ways, key=lambda way: _lines(columns, rows, *way[1:]))
     indent = GAP if alone else widths[0] + GAP
     head = _row([c.head for c in columns], columns, places, widths, indent)
     rule = "─" * max(len(line) for line in head) if width is None else "─" * min(width, _widest(places, widths, indent))
@@ -104,15 +106,43 @@ def _longest(column: Column, cells: Sequence[str]) -> int:
     return max((_cells(word) for text in texts for word in (text.split() if column.words else [text])), default=0)
 
 
-def _stacked(
+def _lines(columns: Sequence[Column], rows: Sequence[Sequence[str]], places: list[list[int]], widths: list[int]) -> int:
+    """Return how many lines the headings and all rows take."""
+    cells = [[c.head for c in columns], *rows]
+    return sum(len(_row(row, columns, places, widths, 0)) for row in cells)
+
+
+def _evenly_stacked(
     columns: Sequence[Column], widths: list[int], width: int, alone: bool
 ) -> tuple[list[list[int]], list[int]]:
+    """Return which columns stand on which line, and their new widths, the lines as even as their number allows.
+
+    What stands on a line of its own only because the one before is full reads as something left over; so the lines are
+    made as narrow as they can be without one more of them, or a column broken that was whole.
+    """
+    room = max(1, width - (GAP if alone else widths[0] + GAP))
+    best = _stacked(columns, widths, room, alone)
+    for narrower in range(room - 1, 0, -1):
+        other = _stacked(columns, widths, narrower, alone)
+        if len(other[0]) > len(best[0]) or other[1] != best[1] or _split(columns, other[0]) > _split(columns, best[0]):
+            break
+        best = other
+    return best
+
+
+def _split(columns: Sequence[Column], places: list[list[int]]) -> int:
+    """Return how many groups of columns stand on more than one line."""
+    line = {j: k for k, at in enumerate(places) for j in at}
+    return sum(line[group[0]] != line[group[-1]] for group in _groups(columns))
+
+
+def _stacked(columns: Sequence[Column], widths: list[int], room: int, alone: bool) -> tuple[list[list[int]], list[int]]:
     """Return which columns stand on which line, and their new widths; the first may be so wide that it stands alone.
 
     Neighbouring columns of numbers get one width and, where one line does not hold them, lines of equal length. What
     fits beside what stands before it goes there.
     """
-    widths, room = list(widths), max(1, width - (GAP if alone else widths[0] + GAP))
+    widths = list(widths)
     places: list[list[int]] = []
     open_line = False
     for group in _groups(columns):

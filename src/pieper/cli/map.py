@@ -23,8 +23,11 @@ from pieper.cli.options import TakesNumbers, as_json, takes_arm, takes_units
 from pieper.cli.output import as_json as print_json
 from pieper.cli.output import say, short
 from pieper.cli.status import DONE
+from pieper.cli.stopping import told
 from pieper.cli.units import Units
+from pieper.maps.store import finished_tiles
 from pieper.tolerances import RELATIVE_ROUNDING, SUSPICIOUSLY_SMALL
+from pieper.words_by_number import plural
 
 
 class _Progress:
@@ -54,6 +57,19 @@ def _watch_parent() -> None:
     while parent.is_alive() and os.getppid() == parent.pid:
         parent.join(1.0)
     os.kill(os.getpid(), signal.SIGTERM)
+
+
+def _widened(shape: tuple[int, ...], step: float, sides: list[tuple[float, float]], units: Units) -> list[str]:
+    """Return a line about sides of a box that whole voxels, so many and of such a step (m), made longer."""
+    longer = [
+        f"{axis} to {short((low + count * step) / units.metres)}"
+        for axis, count, (low, high) in zip("xyz", shape, sides, strict=True)
+        if low + count * step - high > 2 * RELATIVE_ROUNDING * max(step, abs(high))
+    ]
+    if not longer:
+        return []
+    voxels = f"whole voxels of {short(step / units.metres)} {units.length}"
+    return [f"the box has {voxels}: it reaches {', '.join(longer)} {units.length}."]
 
 
 @click.command("map", cls=TakesNumbers, short_help="Fill a box with answers: what the arm reaches.")
@@ -146,7 +162,14 @@ def command(
             count = min(workers, os.cpu_count() or 1)
             executor = stack.enter_context(ProcessPoolExecutor(count, initializer=end_with_parent))
         progress = _Progress() if sys.stderr.isatty() and not json else None
-        found = arm.reach_map(sides, step * units.metres, executor=executor, progress=progress, scene=around, **asked)
+        try:
+            found = arm.reach_map(
+                sides, step * units.metres, executor=executor, progress=progress, scene=around, **asked
+            )
+        except KeyboardInterrupt as stop:
+            raise told(stop, _what_is_kept(out)) from stop
+    for line in _widened(found.grid.shape, found.grid.step, sides, units):
+        print(f"pieper: note: {line}", file=sys.stderr)
     if save:
         found.save(save)
     if picture:
@@ -158,3 +181,11 @@ def command(
         return DONE
     say(found.explain())
     return DONE
+
+
+def _what_is_kept(out: str) -> str:
+    """Return what an interrupted map leaves behind."""
+    if not out:
+        return "interrupted; nothing of the map is kept. With --out DIR the same command goes on where it was."
+    tiles = plural(finished_tiles(Path(out)), "finished tile")
+    return f"interrupted; {tiles} in {out}: the same command goes on there."

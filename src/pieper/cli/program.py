@@ -97,7 +97,7 @@ def _unread(arm: pieper.Arm, file: str, limits: pieper.Limits | None) -> list[st
     most = float(limits.of(arm.n, arm.joint_names).speed.min()) * (1 + SAME_SPEED)
     if any((target.joint_speed or 0.0) > most for target in targets):
         out.append(f"Joint moves of {name} are faster than the limits typed, and cut to them.")
-    if any(target.blend is None for target in targets):
+    if any(target.blend is None and target.kind != "stay" for target in targets):
         out.append(f"Corners of {name} that are cut by no radius (CNT, PL, C_PTP) are stopped at.")
     return out
 

@@ -41,8 +41,8 @@ def command(
         [
             arm.name,
             _short(arm.joint_types),
-            "" if arm.payload is None else f"{arm.payload:g}",
-            "" if arm.reach is None else f"{1000 * arm.reach:g}",
+            "-" if arm.payload is None else f"{arm.payload:g}",
+            "-" if arm.reach is None else f"{1000 * arm.reach:g}",
             arm.manufacturer,
         ]
         for arm in found

@@ -14,11 +14,11 @@ from __future__ import annotations
 
 import os
 from importlib import import_module
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
-from pieper.errors import InputError, PlanError
+from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import checked_pose
@@ -34,6 +34,15 @@ class Solvable(Protocol):
     @property
     def plan(self) -> Plan:
         """How it is solved."""
+        ...
+
+
+@runtime_checkable
+class Lends(Protocol):
+    """An array of somebody else, which speaks DLPack."""
+
+    def __dlpack__(self, **asked: Any) -> Any:
+        """Hand out the numbers."""
         ...
 
 
@@ -72,9 +81,10 @@ def checked_plan(arm: Solvable) -> Plan:
     """
     plan = arm.plan
     if plan.n != 6 or plan.task != "pose" or plan.uncoupled is not None:
+        cure = " Lock the joint to spare first: arm.with_joints_locked." if plan.redundancy else ""
         raise PlanError(
             f"{plan.name}: derivatives are given for six joints and full poses; this arm has {plan.n} joints and task "
-            f"{plan.task!r}{', coupled' if plan.uncoupled is not None else ''}."
+            f"{plan.task!r}{', coupled' if plan.uncoupled is not None else ''}.{cure}"
         )
     return plan
 
@@ -86,9 +96,10 @@ def rows(plan: Plan, T: Array) -> DifferentiableRows:
         InputError: A pose is none.
     """
     poses = checked_pose(T, "T", batch=True)
-    flat = np.ascontiguousarray(poses.reshape(-1, 4, 4))
+    flat, lead = np.ascontiguousarray(poses.reshape(-1, 4, 4)), poses.shape[:-2]
     if not len(flat):
-        raise InputError("T holds no pose.", given=np.shape(T))
+        slots = plan.max_solutions
+        return DifferentiableRows(np.zeros((*lead, slots, 6)), np.zeros((*lead, slots), np.bool_))
     if plan.direct:
         q, _, inside, _ = plan.solver.many(flat, os.cpu_count() or 1)
     else:
@@ -97,7 +108,6 @@ def rows(plan: Plan, T: Array) -> DifferentiableRows:
         batch = ik_many(plan, flat, None)
         q, inside = batch.q, batch.in_limits
     q = np.where(inside[..., None], q, 0.0)
-    lead = poses.shape[:-2]
     return DifferentiableRows(q.reshape(*lead, -1, 6), np.asarray(inside.reshape(*lead, -1), np.bool_))
 
 

@@ -102,7 +102,10 @@ def export(arm: PlannedArm, name: str) -> Export:
         PlanError: The arm cannot be exported.
     """
     if not isinstance(name, str) or not _WORD.fullmatch(name):
-        raise InputError(f"name must be a word of letters, digits and _, got {arguments.kind_of(name)}.", given=name)
+        raise InputError(
+            f"name must be a word of letters, digits and _ that begins with no digit, got {arguments.kind_of(name)}.",
+            given=name,
+        )
     plan = arm.plan
     _refuse_what_is_no_formula(plan)
     own = between(plan)

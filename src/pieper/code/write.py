@@ -34,17 +34,37 @@ PRINTERS: dict[str, Printer] = {
     "jax": _one(jax.text),
     "wasm": lambda export, path: {path: wasm.content(export, path.suffix)},
 }
+#: Endings that say in which languages a file is.
+ENDINGS = {
+    ".c": ("c",),
+    ".h": ("c", "c++"),
+    **dict.fromkeys((".cpp", ".cc", ".cxx", ".hpp", ".hh", ".hxx"), ("c++",)),
+    ".py": ("python", "jax"),
+    ".m": ("matlab",),
+    ".js": ("javascript",),
+    ".mjs": ("javascript", "wasm"),
+    ".wasm": ("wasm",),
+}
 
 
 def write(arm: PlannedArm, language: str, path: str | os.PathLike[str], name: str = "arm") -> Path:
     """Write an arm's solver in a language; see `pieper.Arm.code`.
 
     Raises:
-        InputError: An unknown language, a name that is no word, a place that cannot be written, no compiler for wasm.
+        InputError: An unknown language, a name that is no word, a path that ends as another language's, a place that
+            cannot be written, no compiler for wasm.
         PlanError: The arm cannot be exported; the message says why.
     """
     arguments.word(language, "language", PRINTERS)
     target = arguments.file(path)
+    said = ENDINGS.get(target.suffix.lower(), (language,))
+    if language not in said:
+        raise InputError(
+            f"{target.name} ends as a file of {' or '.join(said)} does, and {language} was asked for. Name another "
+            f"file, or ask for {' or '.join(map(repr, said))}.",
+            path=target,
+            language=language,
+        )
     files = PRINTERS[language](export(arm, name), target)
     if language == "matlab" and target.suffix != ".m":
         try:

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from pieper.description.dh import Description
 from pieper.description.ends import find_ends
-from pieper.description.mjcf_ties import name_of, remarks, ties_of, without_space_tendons
+from pieper.description.mjcf_ties import body_names, name_of, remarks, ties_of, without_space_tendons
 from pieper.description.shapes import Unmeasured
 from pieper.description.tree import Joint, Tree
 from pieper.description.treearm import arm_of
@@ -89,7 +89,7 @@ def _geoms(path: Path, what: str, wanted: Callable[[Any, int], bool]) -> tuple[T
     except (ValueError, RuntimeError, TypeError) as error:
         reason = " ".join(str(error).split())
         raise InputError(f"{path}: its {what} cannot be read: {reason[:300]}", file=str(path)) from None
-    bodies = [model.body(i).name or f"body_{i}" for i in range(model.nbody)]
+    bodies = body_names(model)
     kinds = {
         int(mujoco.mjtGeom.mjGEOM_BOX): "box",
         int(mujoco.mjtGeom.mjGEOM_CYLINDER): "cylinder",
@@ -181,7 +181,7 @@ def _links(
         int(mujoco.mjtJoint.mjJNT_BALL): "ball",
         int(mujoco.mjtJoint.mjJNT_FREE): "floating",
     }
-    bodies = [model.body(i).name or f"body_{i}" for i in range(model.nbody)]
+    bodies = body_names(model)
     ties = ties_of(model, mujoco)
     joints: list[Joint] = []
     frames: dict[str, tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]] = {}

@@ -122,8 +122,23 @@ def _tendons(model: Any, ties: Ties, one: dict[int, float], other: dict[int, flo
 
 
 def name_of(model: Any, joint: int) -> str:
-    """Return a joint's name, or the one it is given by its number."""
-    return str(model.joint(joint).name or f"joint_{joint}")
+    """Return a joint's name, or the one it is given by its number; no other joint has it."""
+    return _names([str(model.joint(j).name) for j in range(model.njnt)], "joint")[joint]
+
+
+def body_names(model: Any) -> list[str]:
+    """Return the bodies' names, those without one named by their number."""
+    return _names([str(model.body(i).name) for i in range(model.nbody)], "body")
+
+
+def _names(given: list[str], kind: str) -> list[str]:
+    out = list(given)
+    for i, name in enumerate(given):
+        if not name:
+            out[i] = f"{kind}_{i}"
+            while out[i] in given:
+                out[i] += "_"
+    return out
 
 
 def _rest(model: Any, joint: int) -> float:

@@ -96,6 +96,8 @@ def _check_kinds(tree: Tree, path: list[tuple[Joint, bool]], ends: Ends) -> None
                 tip=ends.tip,
             )
         if joint.kind not in MOVING and joint.kind != "fixed":
+            if (small := joint.kind.strip().lower()) in (*MOVING, "fixed"):
+                tree.fail(f"joint {joint.name!r} is of type {joint.kind!r}: write {small!r}.", joint)
             tree.fail(
                 f"joint {joint.name!r} is of type {joint.kind!r}; a serial arm may have revolute, continuous, "
                 f"prismatic and fixed joints. Begin after it with base={joint.child!r}, or end before it with "
@@ -295,7 +297,7 @@ def _limits(tree: Tree, joint: Joint) -> tuple[float | None, float | None]:
     lower, upper = joint.lower or 0.0, joint.upper or 0.0
     for value in (lower, upper):
         if math.isnan(value):
-            tree.fail(f"a limit of joint {joint.name!r} is not a number.", joint)
+            tree.fail(f"a limit of joint {joint.name!r} is not a number: write lower and upper in rad or m.", joint)
     if lower > upper:
         tree.fail(
             f"the limits of joint {joint.name!r} are swapped: {lower:g} is above {upper:g}. Write the smaller one as "

@@ -144,14 +144,17 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
     rounded: dict[str, list[float]] = {}
     name = "arm"
     told: list[str] = []
+    known: set[tuple[str, str]] = set()
     at: list[str] = []
     current: Joint | None = None
     parser = expat.ParserCreate()
 
-    def refuse(*_: object) -> None:
+    def refuse(kind: str, *_: object) -> None:
+        if kind.lower() == "html":
+            raise InputError(f"{file}: {_NO_XML[0][1]}", file=file)
         raise InputError(
             f"{file}, line {parser.CurrentLineNumber}: a URDF has no document type declaration; files with one "
-            "(and entities in it) are not read.",
+            "(and entities in it) are not read. Take it out.",
             file=file,
             line=parser.CurrentLineNumber,
         )
@@ -168,7 +171,8 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
                 line=line,
             )
         if len(at) == 1 and tag != "robot":
-            raise InputError(f"{file}: the first element is <{tag}>; a URDF begins with <robot>.", file=file)
+            cure = f" {_OTHERS[tag]}" if tag in _OTHERS else ""
+            raise InputError(f"{file}: the first element is <{tag}>; a URDF begins with <robot>.{cure}", file=file)
         match tuple(at):
             case ("robot",):
                 name = said.get("name", "arm")
@@ -192,13 +196,17 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
                 joints[current.name] = current
                 numbers[current.name] = _Numbers()
             case ("robot", "joint", _) if current is not None:
-                _element(current, numbers[current.name], tag, said)
+                if (current.name, tag) not in known:
+                    _element(current, numbers[current.name], tag, said)
+                elif tag in _ONCE:  # which of two counts differs between readers; the first does where robots are run
+                    told.append(f"Joint {current.name!r} has more than one <{tag}>: the first counts, as in ROS.")
+                known.add((current.name, tag))
 
     parser.StartDoctypeDeclHandler = refuse
     parser.EntityDeclHandler = refuse
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda tag: at.pop()
-    with _xml(file):
+    with _xml(file, data):
         parser.Parse(data, True)
     for joint in joints.values():
         for word, link in (("parent", joint.parent), ("child", joint.child)):
@@ -221,12 +229,32 @@ def parse(data: bytes, file: str, exact_angles: bool) -> Tree:
     )
 
 
+#: What a joint has once.
+_ONCE = ("parent", "child", "origin", "axis", "limit", "mimic")
+#: How files begin that are none, and what to do about it.
+_NO_XML = (
+    (b"<html", "a web page, not the file: save the raw file and load that."),
+    (b"version https://git-lfs", "a pointer of Git LFS, not the file: fetch that (git lfs pull) and load it."),
+)
+#: What else a file may be by its first element.
+_OTHERS = {
+    "mujoco": "It is an MJCF: give it the ending .xml.",
+    "sdf": "It is an SDF: convert it to a URDF (with sdformat_urdf, for one) and load that.",
+    "COLLADA": "It is a mesh: load the URDF that refers to it.",
+    "html": "It is a web page: save the raw file and load that.",
+}
+
+
 @contextmanager
-def _xml(file: str) -> Iterator[None]:
+def _xml(file: str, data: bytes) -> Iterator[None]:
     try:
         yield
     except expat.ExpatError as error:
-        raise InputError(f"{file}: not valid XML: {error}.", file=file) from None
+        if not data.strip():
+            raise InputError(f"{file}: the file is empty. Load the robot's own file.", file=file) from None
+        said = next((words for begin, words in _NO_XML if data.lstrip().startswith(begin)), "")
+        cure = said or f"not valid XML: {error}. Correct it there, or write it anew with the program it is from."
+        raise InputError(f"{file}: {cure}", file=file) from None
 
 
 def first_element(data: bytes, file: str) -> str:
@@ -239,7 +267,7 @@ def first_element(data: bytes, file: str) -> str:
         raise StopIteration
 
     parser.StartElementHandler = start
-    with _xml(file):
+    with _xml(file, data):
         try:
             parser.Parse(data, True)
         except StopIteration:
@@ -309,7 +337,8 @@ def _meant(text: str, angle: float) -> float:
 
 def _three(file: str, joint: Joint, what: str, texts: tuple[str, ...]) -> list[tuple[str, float]]:
     if len(texts) != 3:
-        _fail(file, joint, f"{what} of joint {joint.name!r} needs three numbers, got {len(texts)}.")
+        said = " ".join(texts)
+        _fail(file, joint, f"{what} of joint {joint.name!r} needs three numbers apart by blanks, got {said!r}.")
     out = []
     for text in texts:
         try:

@@ -57,6 +57,7 @@ class Chain:
             axes, points and home are those at zero either way. Where a linkage moves some axes it is (axes, n), with
             fewer joints than axes.
         own: (n,) the axis (0-based) of each joint.
+        scale: The characteristic length is no less than this, m: for poses so far away that the links are nothing.
     """
 
     links: Array
@@ -64,6 +65,7 @@ class Chain:
     frames_after: Array = field(repr=False)
     coupling: Array | None = None
     own: tuple[int, ...] = ()
+    scale: float = 0.0
 
     @cached_property
     def prismatic(self) -> Bools:
@@ -138,7 +140,7 @@ class Chain:
     @property
     def uncoupled(self) -> Chain:
         """The chain whose joints move by themselves; the same object where they do."""
-        return self if self.coupling is None else Chain(self.links, self.sliding, self.frames_after)
+        return self if self.coupling is None else Chain(self.links, self.sliding, self.frames_after, scale=self.scale)
 
     @cached_property
     def whole_turns(self) -> bool:
@@ -183,7 +185,8 @@ class Chain:
         """
         total = sum(float(np.linalg.norm(self.links[i][:3, 3])) for i in range(1, self.axis_count))
         # of a sine of pi as rounded some 1e-16 m may be left
-        return total if total > LENGTHLESS * float(np.abs(self.links[:, :3, 3]).max()) else 1.0
+        told = total if total > LENGTHLESS * float(np.abs(self.links[:, :3, 3]).max()) else 1.0
+        return max(told, self.scale)
 
     @staticmethod
     def of(
@@ -192,6 +195,7 @@ class Chain:
         frames_after: Array | None = None,
         coupling: Array | None = None,
         own: tuple[int, ...] = (),
+        scale: float = 0.0,
     ) -> Chain:
         """Make a chain of links (n + 1, 4, 4) and kinds of axes (n,), frozen."""
         links = np.ascontiguousarray(links, float)
@@ -200,7 +204,7 @@ class Chain:
             frames_after = np.tile(np.eye(4), (len(sliding), 1, 1))
         for array in (links, sliding, frames_after):
             array.setflags(write=False)
-        return Chain(links, sliding, frames_after, coupling, own)
+        return Chain(links, sliding, frames_after, coupling, own, scale)
 
     def reversed(self) -> Chain:
         """Return the chain seen from the tool, joints last to first: its T is the inverse of this one's."""
@@ -208,7 +212,7 @@ class Chain:
         links = np.stack([FLIP @ inverse(link) @ FLIP for link in self.links[::-1]])
         links[0] = inverse(self.links[-1]) @ FLIP
         links[-1] = FLIP @ inverse(self.links[0])
-        return Chain.of(links, self.prismatic[::-1].copy())
+        return Chain.of(links, self.prismatic[::-1].copy(), scale=self.scale)
 
     def _not_coupled(self) -> None:
         if self.coupling is not None:
@@ -220,11 +224,11 @@ class Chain:
         motion = translation(z=value) if self.prismatic[joint] else rotation_z(value)
         merged = self.links[joint] @ motion @ self.links[joint + 1]
         links = np.concatenate([self.links[:joint], merged[None], self.links[joint + 2 :]])
-        return Chain.of(links, np.delete(self.prismatic, joint))
+        return Chain.of(links, np.delete(self.prismatic, joint), scale=self.scale)
 
     def section(self, first: int, last: int) -> Chain:
         """Return joints first..last (0-based, inclusive) with their links, link 0 and the last one the identity."""
         self._not_coupled()
         links = self.links[first : last + 2].copy()
         links[0] = links[-1] = np.eye(4)
-        return Chain.of(links, self.prismatic[first : last + 1].copy())
+        return Chain.of(links, self.prismatic[first : last + 1].copy(), scale=self.scale)

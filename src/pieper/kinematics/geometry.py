@@ -177,15 +177,15 @@ def look(chain: Chain, tolerance: float) -> Geometry:
     return Geometry(chain, tolerance)
 
 
-def from_axes(axes: Array, points: Array, prismatic: Bools, home: Array) -> Chain:
-    """Make a chain of axes and points (n, 3) at zero and the tool's pose (4, 4) at zero."""
+def from_axes(axes: Array, points: Array, prismatic: Bools, home: Array, scale: float = 0.0) -> Chain:
+    """Make a chain of axes and points (n, 3) at zero and the tool's pose (4, 4) at zero; `scale` as of a chain."""
     frames = np.stack([_frame_on(axis, point) for axis, point in zip(axes, points, strict=True)])
     links = [
         frames[0],
         *(inverse(a) @ b for a, b in zip(frames[:-1], frames[1:], strict=True)),
         inverse(frames[-1]) @ home,
     ]
-    return Chain.of(np.stack(links), np.array(prismatic, bool))
+    return Chain.of(np.stack(links), np.array(prismatic, bool), scale=scale)
 
 
 def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:
@@ -212,7 +212,7 @@ def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:
             said.append(
                 f"joints {_and([str(j + 1) for j in members])} made parallel (they were {group.margin:.2g} rad off)"
             )
-    nominal = look(from_axes(axes, points, chain.prismatic, chain.home), tolerance)
+    nominal = look(from_axes(axes, points, chain.prismatic, chain.home, chain.scale), tolerance)
     moved = 0.0
     in_group: set[int] = set()
     for group in nominal.spherical:
@@ -242,7 +242,7 @@ def snapped(chain: Chain, tolerance: float) -> tuple[Chain, list[str], float]:
                 said.append(f"joints {i + 1} and {j + 1} made to meet (they missed by {pair.distance * 1e3:.3g} mm)")
     if not said:
         return chain, [], 0.0
-    return from_axes(axes, points, chain.prismatic, chain.home), said, moved
+    return from_axes(axes, points, chain.prismatic, chain.home, chain.scale), said, moved
 
 
 def _cross(u: Array, v: Array) -> Array:

@@ -378,11 +378,22 @@ def base_places(plan: Plan, Ts: PoseLike, x: ArrayLike, y: ArrayLike, z: ArrayLi
     poses = checked_pose(Ts, "Ts", batch=True).reshape(-1, 4, 4)
     named = (("x", x), ("y", y), ("z", z), ("yaw", yaw))
     said = [np.atleast_1d(arguments.numbers(v, name)) for name, v in named]
-    if not len(poses) or any(v.ndim != 1 or not len(v) or not np.isfinite(v).all() for v in said):
-        raise InputError("base_places takes poses and lists of x, y, z (m) and yaw (rad), none empty.", given=said)
+    if not len(poses):
+        raise InputError(
+            "base_places was given no pose: Ts must have shape (N, 4, 4), N at least 1.", given=poses.shape
+        )
+    for (name, _), values in zip(named, said, strict=True):
+        if values.ndim != 1 or not len(values) or not np.isfinite(values).all():
+            raise InputError(
+                f"{name} must be a list of finite numbers, {'rad' if name == 'yaw' else 'm'}, at least one, got "
+                f"{values.tolist()}.",
+                given=values,
+            )
     remark_turned(said[3], "yaw")
     remark_long(max(float(np.abs(v).max()) for v in said[:3]), "a place of the base is as far away as")
     X, Y, Z, A = (v.ravel() for v in np.meshgrid(*said, indexing="ij"))
     B = rotation_z(A)
     B[:, :3, 3] = np.stack([X, Y, Z], -1)
+    nearest = [float(np.linalg.norm(B[:, :3, 3] - p, axis=1).min()) for p in poses[:, :3, 3]]
+    remark_long(max(nearest), "a pose lies from every place of the base at least as far away as")
     return shares(plan, poses, B).reshape(tuple(len(v) for v in said))

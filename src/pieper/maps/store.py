@@ -52,6 +52,41 @@ def identity(question: Question, per_tile: int) -> dict[str, Any]:
     }
 
 
+#: What each part of it is called, in the order it is told; what follows from others is told where they agree.
+CALLED = {
+    "arm": "arm",
+    "task": "task",
+    "step_m": "step (m)",
+    "low_m": "lower corner of the box (m)",
+    "shape": "voxels",
+    "turns": "orientations",
+    "rolls": "rolls",
+    "measured": "measure",
+    "pieper": "version of pieper",
+    "layout": "layout",
+}
+DIGESTS = {
+    "arm_sha256": "links, base, tool or limits of the arm",
+    "turns_sha256": "orientations",
+    "around_sha256": "what stands around the arm (scene)",
+    "images": "symmetry",
+    "voxels_solved_a_tile": "size of a tile",
+}
+
+
+def _differences(known: dict[str, Any], wanted: dict[str, Any]) -> str:
+    """Return in words in what two maps differ."""
+    other = {key for key in wanted if known.get(key) != wanted[key]}
+    said = [
+        f"{called} {known.get(key) if known.get(key) != '' else 'unknown'} there, {wanted[key]} asked"
+        for key, called in CALLED.items()
+        if key in other
+    ]
+    if not said or other & {"around_sha256"}:
+        said += [f"other {called}" for key, called in DIGESTS.items() if key in other]
+    return "; ".join(said)
+
+
 @dataclass(frozen=True)
 class Store:
     """A folder of tiles.
@@ -75,8 +110,15 @@ class Store:
             folder.mkdir(parents=True, exist_ok=True)
             known = json.loads(page.read_text()) if page.exists() else None
             if not isinstance(known, dict | None):
-                raise ValueError(f"{page.name} says of no map what it keeps")
-        except (OSError, ValueError) as error:
+                raise ValueError("it is no object")
+        except ValueError as error:
+            raise InputError(
+                f"store: {page} does not say which map the folder keeps ({error}). Give another folder, or remove it.",
+                path=folder,
+            ) from None
+        except (FileExistsError, NotADirectoryError):
+            raise InputError(f"store: {folder} is or lies below a file; a store is a folder.", path=folder) from None
+        except OSError as error:
             raise InputError(f"store: {folder} cannot be used: {error}.", path=folder) from None
         if known is None:
             with whole_file(page) as file:
@@ -84,8 +126,8 @@ class Store:
         elif known != wanted:
             other = [key for key in wanted if known.get(key) != wanted[key]]
             raise InputError(
-                f"store: {folder} keeps another map: {', '.join(other)} differ{'s' if len(other) == 1 else ''}. Give "
-                "another folder, or ask the same as before.",
+                f"store: {folder} keeps another map: {_differences(known, wanted)}. Give another folder, or ask the "
+                "same as before.",
                 path=folder,
                 differs=other,
             )
@@ -119,6 +161,11 @@ class Store:
 
     def _mark(self, number: int) -> Path:
         return self.folder / f"tile_{number:06d}.sha256"
+
+
+def finished_tiles(folder: Path) -> int:
+    """Return how many tiles a folder has that were written whole."""
+    return sum(1 for _ in folder.glob("tile_*.sha256"))
 
 
 def refuse_too_much(voxels: int, turns: int, *, measure: bool, stored: bool) -> None:

@@ -67,7 +67,6 @@ def between(T0: Array, T1: Array, s: ArrayLike) -> Array:
         T[..., :3, :3] = T0[:3, :3]
     else:
         T[..., :3, :3] = T0[:3, :3] @ rotation_about(turn / angle, s * angle)
-    T[s == 0.0] = T0
     T[s == 1.0] = T1
     return T
 

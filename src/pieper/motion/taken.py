@@ -13,6 +13,7 @@ from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import PoseLike
 from pieper.motion.chosen import check_arrived, meant
+from pieper.motion.dialects.named_joints import order_of
 from pieper.motion.dialects.target import Target
 from pieper.motion.instructions import Gripper, Happening, Output
 from pieper.motion.limits import Limits
@@ -93,7 +94,12 @@ def _happen(program: Taker, item: Happening) -> None:
 
 
 def _move(program: Taker, target: Target, number: int, now: Callable[[], Array]) -> None:
-    where, blend = target.T if target.q is None else target.q, target.blend or 0.0
+    if target.kind == "stay":
+        return
+    q = target.q
+    if q is not None and target.joints:
+        q = q[order_of(target.joints, program.plan.names, program.plan.name)]
+    where, blend = target.T if q is None else q, target.blend or 0.0
     if where is None:
         raise InputError(f"target {number} of the file has no place.", given=number)
     if target.kind == "point" and np.abs(np.asarray(where) - now()).max(initial=0.0) < SAME_SOLUTION:

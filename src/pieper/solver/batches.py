@@ -254,3 +254,13 @@ def finished(batch: SolutionBatch, near: Near | None, refused: Refused | None) -
     if near is not None and batch.chosen is not None:
         near.choose_in_turn(batch.found, batch.chosen)
     return SolutionBatch(batch.plan, batch.found, batch.status, batch.chosen, refused)
+
+
+def tell(progress: Progress, count: int, done: int) -> None:
+    """Tell how many poses of a call are done."""
+    progress(done, count)
+
+
+def after(told: Callable[[int], None], before: int, done: int) -> None:
+    """Tell how many poses are done after those before."""
+    told(before + done)

@@ -115,6 +115,11 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         self._closest: Closest | None = None
         self._apart = None
 
+    def told_by(self, plan: Plan) -> Solutions:
+        """Return the same as another plan of the arm tells it."""
+        rows = self.all_q, self.slots, self.in_limits, self.flag
+        return Solutions(plan, self._words, self.T, *rows, self._found, self._self_motions)
+
     @property
     def q(self) -> Array:
         """Solutions (m, n) inside the limits, in the order of all_q."""

@@ -9,7 +9,7 @@ import numpy as np
 from pieper._kernel import Flag
 from pieper.kinematics.arrays import Array, Bits, Bools, Indices, Slots
 
-__all__ = ["Chosen", "Flag", "Refused", "Rows"]
+__all__ = ["Chosen", "Flag", "Refused", "Rows", "any_row"]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -74,3 +74,10 @@ class Refused:
         at = np.flatnonzero(np.isin(of, self.index))
         there: list[int] = np.searchsorted(self.index, of[at]).tolist()
         return Refused(at, self.poses[there], tuple(self.told[k] for k in there))
+
+
+def any_row(rows: Bools) -> Bools:
+    """Return rows.any(1) of bools (N, M), eight at a time where that is possible: this runs once a pose."""
+    if rows.shape[1] != 8 or not rows.flags.c_contiguous:
+        return np.logical_or.reduce(rows, axis=1)
+    return rows.view(np.uint64)[:, 0] != 0

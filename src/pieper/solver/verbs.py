@@ -14,24 +14,28 @@ from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
+from pieper.solver.afar import one_from_afar, rows_from_afar
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.batches import (
     BLOCK,
     LARGE_BLOCK,
     Near,
     Progress,
+    after,
     arrays_of,
     finished,
     joined,
     marking,
     near_what,
+    tell,
     without_refused,
 )
+from pieper.solver.beyond import DOUBTS, beyond, without_doubt
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.at_values import rows_at_choice
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice, nothing_chosen
 from pieper.solver.results import Solutions, Status, Words
-from pieper.solver.rows import Flag, Rows
+from pieper.solver.rows import Flag, Rows, any_row
 from pieper.solver.words.closest import closest_to
 from pieper.solver.words.labels import labels_beside, posture_words
 from pieper.solver.words.table import table
@@ -70,6 +74,8 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
         pose = checked_pose(T)
         q, slots, inside, flag = plan.solver.one(pose)
+    if (flag & (_DOUBTFUL | _EDGE) or not len(q)) and (far := one_from_afar(plan, np.asarray(pose, float), ik)):
+        return far[0]
     if flag & (_DOUBTFUL | _EDGE):
         found = _read(plan, pose, q, flag & ~_EDGE)  # of no rows inside, it is false as a sequence
         return _careful(plan, checked_pose(pose), q, slots, inside, flag) if found is None else found
@@ -96,7 +102,7 @@ def ik_many(
     poses, refused = without_refused(Ts) if marking(invalid) else (_plain(plan, Ts, redundancy), None)
     near_by = near_what(plan, near, start, weights, len(poses))
     arguments.told(progress)
-    told = None if progress is None else partial(_tell, progress, len(poses))
+    told = None if progress is None else partial(tell, progress, len(poses))
     solve = partial(_solved, plan, threads=threads, redundancy=redundancy, near=near_by, out=out, told=told)
     try:
         found = solve(poses)
@@ -128,7 +134,7 @@ def _solved(
         for first in range(0, len(poses), size):
             at = slice(first, first + size)
             by = None if near is None else near.part(at)
-            _into(plan, poses[at], threads, whole.part(at), by, None if told is None else partial(_after, told, first))
+            _into(plan, poses[at], threads, whole.part(at), by, None if told is None else partial(after, told, first))
         return whole
     if isinstance(out, SolutionBatch):
         arrays_of(plan, out, len(poses), out.q.shape[-2], near)  # what is wrong with it is said before the work
@@ -162,6 +168,7 @@ def _into(
         into.status[:] = _PLAIN[outcome]
         return
     unclear = np.flatnonzero((rows.flags != 0) | (outcome == 0))
+    without_doubt(plan, poses, rows)
     into.status[:] = _look(plan, poses, rows)
     into.status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     if near is not None and chosen is not None:
@@ -171,6 +178,7 @@ def _into(
 def _through(plan: Plan, poses: Array, asked: Choice, threads: int) -> SolutionBatch:
     """Solve poses of an arm or a task that became a six-joint chain."""
     rows = rows_at_choice(plan, poses, asked, threads, _alone)
+    without_doubt(plan, poses, rows)
     if plan.redundancy:
         rows, status = _spare(plan, poses, rows, asked, threads)
         rows.flags[:] &= np.uint8(255 ^ _EDGE)
@@ -192,17 +200,9 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
             _put(one, batch.found, int(i))
             batch.status[i] = one.status
         return batch
-    for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~_any(batch.in_limits)):
+    for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~any_row(batch.in_limits)):
         batch.status[i] = ik(plan, checked_pose(poses[i])).status
     return batch
-
-
-def _tell(progress: Progress, count: int, done: int) -> None:
-    progress(done, count)
-
-
-def _after(told: Callable[[int], None], before: int, done: int) -> None:
-    told(before + done)
 
 
 # ---------------------------------------------------------------------------------------------- check
@@ -238,13 +238,6 @@ def _alone(plan: Plan, poses: Array, threads: int) -> Rows:
     return ik_many(plan, poses, threads).found
 
 
-def _any(rows: Bools) -> Bools:
-    """Return rows.any(1) of bools (N, M), eight at a time where that is possible: this runs once a pose."""
-    if rows.shape[1] != 8 or not rows.flags.c_contiguous:
-        return np.logical_or.reduce(rows, axis=1)
-    return rows.view(np.uint64)[:, 0] != 0
-
-
 # ---------------------------------------------------------------------------------------------- careful look
 
 
@@ -265,6 +258,8 @@ def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: 
     """Look again at a pose that has no rows, or was marked: self-motions, merged roots, what a kernel overlooked."""
     from pieper.solver.singular.careful import overlooked, sure_beside
 
+    if not len(q) and beyond(plan, T[None])[0]:
+        return Solutions(plan, WORDS, T, q, slots, inside, flag & ~DOUBTS)
     if not flag & _DEGENERATE:
         doubted = bool(flag & _UNCERTAIN) and bool(sure_beside(plan, T[None])[0])
         if not doubted and (len(q) or not overlooked(plan, T[None])[0]):
@@ -292,19 +287,20 @@ def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
 
 def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     """Look with care at every pose that needs it, put what is found into this call's rows, and return all statuses."""
-    some = _any(rows.valid)
-    status = _PLAIN[some.astype(np.uint8) + _any(rows.inside)]
+    some = any_row(rows.valid)
+    status = _PLAIN[some.astype(np.uint8) + any_row(rows.inside)]
     if some.all() and not rows.flags.any():
         return status
     if not np.all(np.abs(poses[~some, :3, 3]) <= FARTHEST):
         checked_pose(poses, "Ts", batch=True)  # the kernel refuses no place, however far
     from pieper.solver.singular.careful import overlooked, sure_beside
 
-    marked = (rows.flags & _DEGENERATE) > 0
+    near = rows_from_afar(plan, poses, rows, status, ik_many)
+    marked = near & ((rows.flags & _DEGENERATE) > 0)
     # a kernel that gives no rows says whether poses beside have none; of a chain within another that says nothing
-    edge = (rows.flags & _EDGE) > 0 if plan.direct else ~some
+    edge = near & ((rows.flags & _EDGE) > 0 if plan.direct else ~some)
     rows.flags[:] = rows.flags & np.uint8(255 ^ _EDGE)
-    doubted = np.flatnonzero((rows.flags & _DOUBTFUL) == _UNCERTAIN)
+    doubted = np.flatnonzero(near & ((rows.flags & _DOUBTFUL) == _UNCERTAIN))
     for first in range(0, len(doubted), LOOKED_AT_ONCE):
         part = doubted[first : first + LOOKED_AT_ONCE]
         marked[part] = sure_beside(plan, poses[part])
@@ -316,10 +312,10 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     if plan.direct:
         read = plan.solver.read_into(poses, index, rows)
         if not plan.spec.closed_form:
-            read[(read == 2) & ~_any(rows.inside[index])] = 0  # as in `_read`
+            read[(read == 2) & ~any_row(rows.inside[index])] = 0  # as in `_read`
         seen, curve = index[read > 0], index[read == 2]
-        status[seen] = _PLAIN[1 + _any(rows.inside[seen])]
-        status[curve[_any(rows.inside[curve])]] = np.uint8(Status.SINGULAR)
+        status[seen] = _PLAIN[1 + any_row(rows.inside[seen])]
+        status[curve[any_row(rows.inside[curve])]] = np.uint8(Status.SINGULAR)
         index = index[read == 0]
     for i in index.tolist():
         # the same road as `ik`, so that both start from the same digits
@@ -355,9 +351,12 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
     T = checked_pose(given)
     asked = choice(plan, redundancy, 1)
     rows = rows_at_choice(plan, T[None], asked, 1, _alone)
+    without_doubt(plan, T[None], rows)
     q, slots, inside, flag = rows.of(0)
     if not np.array_equal(T, np.asarray(as_pose(given), float)):
         flag |= Flag.ROUNDED
+    if (flag & _DOUBTFUL or not len(q)) and (far := one_from_afar(plan, T, ik)):
+        return far[0]
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))
     motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults)
@@ -381,13 +380,13 @@ def _spare(plan: Plan, poses: Array, rows: Rows, asked: Choice, threads: int) ->
     from pieper.solver.redundant.elsewhere import choose_elsewhere
 
     if asked.free:
-        none = np.flatnonzero(~_any(rows.inside))
+        none = np.flatnonzero(~any_row(rows.inside))
         if len(none):
             rows, _ = choose_elsewhere(plan, _checked(poses), rows, threads)
         # of rows at a value that nobody chose nobody was told that they are all
-        rows.flags[_any(rows.inside)] &= np.uint8(255 ^ _UNCERTAIN)
-        return rows, _SPARE[_any(rows.valid).astype(np.uint8) + _any(rows.inside)]
-    some, within = _any(rows.valid), _any(rows.inside)
+        rows.flags[any_row(rows.inside)] &= np.uint8(255 ^ _UNCERTAIN)
+        return rows, _SPARE[any_row(rows.valid).astype(np.uint8) + any_row(rows.inside)]
+    some, within = any_row(rows.valid), any_row(rows.inside)
     status = _SPARE[some.astype(np.uint8) + within]
     none = ~some & ((rows.flags & _UNCERTAIN) == 0)
     if none.any():

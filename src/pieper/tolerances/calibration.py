@@ -22,6 +22,13 @@ CURED = 0.3
 #: Where a fitted arm misses what was measured by more than this part of how much it varies, it explains nothing:
 #: measurements that belong to the joints leave a hundredth at most.
 EXPLAINS_NOTHING = 0.3
+#: A fitted arm this many times as large or as small as the nominal one, by the spread of its tool's places, is another
+#: arm: arms as built are within a hundredth.
+ANOTHER_SIZE = 1.5
+#: The same of the angle between neighbouring axes (rad): built ones are within half a degree.
+ANOTHER_ANGLE = 0.25
+#: A size this near a whole unit's, relative, is that unit's.
+ONE_UNIT = 0.05
 #: The noise (m, rad) that a fit begins with where none is said.
 FIRST_NOISE = (1e-4, 2e-4)
 #: Noise (m, rad) below which there is none: rounding.
@@ -40,3 +47,5 @@ COST_NO_WORSE = 1e-9
 COST_ROUNDING = 1e-12
 #: What is left of the residuals, as a part of the noise that was said, below which it was said far too large.
 FAR_LESS = 0.2
+#: Poses held out that are enough for that to be no chance.
+ENOUGH_HELD = 5

@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper.description import mjcf
 from pieper.description.dh import Description
-from pieper.description.mjcf_ties import Ties, ties_of
+from pieper.description.mjcf_ties import Ties, body_names, name_of, ties_of
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import inverse
 from pieper.verify.placements import placements
@@ -30,21 +30,22 @@ class MuJoCo:
             self._model: Any = mjcf.compiled(mujoco, origin.file)
             self._base, self._tip = self._place(origin.base), self._place(origin.tip)
             said = f"mujoco read {origin.file} itself, from {origin.base} to {origin.tip}"
-            names = list(arm.joint_names)
+            known = {name_of(self._model, j): j for j in range(self._model.njnt)}
+            joints = [known[name] for name in arm.joint_names]
             ties = ties_of(self._model, mujoco)
         else:
             self._model = self._built(arm)
             said = "mujoco was given one body a row, placed by the table's constants (joint about its own z)"
-            names = [f"joint {i}" for i in range(len(arm.rows))]
+            known = {str(self._model.joint(j).name): j for j in range(self._model.njnt)}
+            joints = [known[f"joint {i}"] for i in range(len(arm.rows))]
         self._data: Any = mujoco.MjData(self._model)
-        joints = [self._model.joint(name).id for name in names]
         self._at = [int(self._model.jnt_qposadr[j]) for j in joints]
         self._columns = [int(self._model.jnt_dofadr[j]) for j in joints]
         self._rest = np.array(self._model.qpos0)
         for j, value in ties.held.items():
             self._rest[self._model.jnt_qposadr[j]] = value
         # a follower may follow a follower: as many rounds as there are followers reach the last
-        self._follow = [(j, self._model.joint(mimic.joint).id, mimic) for j, mimic in ties.mimics.items()] * len(
+        self._follow = [(j, known[mimic.joint], mimic) for j, mimic in ties.mimics.items()] * len(
             ties.mimics
         )
         self.words = (
@@ -72,11 +73,11 @@ class MuJoCo:
         self._mujoco.mju_mat2Quat(out, np.ascontiguousarray(T[:3, :3]).reshape(9))
         return out
 
-    def _place(self, name: str) -> tuple[str, str]:
-        bodies = {self._model.body(i).name for i in range(self._model.nbody)}
-        return ("body" if name in bodies else "site", name)
+    def _place(self, name: str) -> tuple[str, str | int]:
+        bodies = body_names(self._model)
+        return ("body", bodies.index(name)) if name in bodies else ("site", name)
 
-    def _pose(self, place: tuple[str, str]) -> Array:
+    def _pose(self, place: tuple[str, str | int]) -> Array:
         T = np.eye(4)
         thing = getattr(self._data, place[0])(place[1])
         T[:3, :3], T[:3, 3] = np.array(thing.xmat).reshape(3, 3), thing.xpos
@@ -113,7 +114,7 @@ class MuJoCo:
         J = J @ moved
         return J if self._mix is None else J @ self._mix
 
-    def _slope(self, place: tuple[str, str], point: Array) -> Array:
+    def _slope(self, place: tuple[str, str | int], point: Array) -> Array:
         """Return the Jacobian (6, nv) of a point (3,) that is fixed to a body or to a site's body."""
         body = self._model.body(place[1]).id if place[0] == "body" else self._model.site(place[1]).bodyid[0]
         linear, turning = np.zeros((3, self._model.nv)), np.zeros((3, self._model.nv))

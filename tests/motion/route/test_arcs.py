@@ -55,5 +55,5 @@ def test_folds_are_where_the_arm_is_singular(ur):
 def test_arcs_need_one_coordinate(irb, seam):
     with pytest.raises(pieper.InputError, match="cone"):
         irb.arcs(seam[0], pieper.Freedom(cone=0.1))
-    with pytest.raises(pieper.PlanError, match="exactly one"):
+    with pytest.raises(pieper.PlanError, match="nothing is left to choose; say a turn"):
         irb.arcs(seam[0], pieper.Freedom(turn=(0.0, 0.0)))

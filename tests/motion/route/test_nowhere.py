@@ -1,10 +1,12 @@
 """Within a cone: that nothing holds a pose is proved by boxes of joint values, and never where something does."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import pieper
-from pieper.motion.route.nowhere import nothing_within_cone
+from pieper.motion.route.nowhere import _ruled_out, nothing_within_cone
 from pieper.motion.route.setting import setting
 
 
@@ -48,6 +50,20 @@ def test_a_turn_that_is_held_is_held_within_the_cone():
         free = pieper.Freedom(turn=turn, cone=0.1)
         proved = nothing_within_cone(world(few, T, free), T, 50_000) is not None
         assert proved != held
+
+
+@pytest.mark.parametrize("joints", [1, 2, 3])
+@pytest.mark.parametrize("half", [1e-3, 0.05, 0.4])
+def test_no_box_is_ruled_out_that_an_arm_reaches_the_point_from_at_its_corner(joints, half):
+    """Of one joint the point is a sagitta off the tangent, which the bound must leave room for to the last part."""
+    rng = np.random.default_rng(joints)
+    for _ in range(20):
+        rows = [pieper.DH(a=float(a)) for a in rng.uniform(0.2, 1.0, joints)]
+        arm = pieper.Arm.from_dh(rows, convention="standard")
+        world = SimpleNamespace(plan=SimpleNamespace(chain=arm.chain, prismatic=np.zeros(joints, bool)))
+        q, h = rng.uniform(-3, 3, (1, joints)), np.full((1, joints), half)
+        for side in (h, -h, h * rng.uniform(-1, 1, h.shape)):
+            assert not _ruled_out(world, arm.fk(q + side)[0, :3, 3], [], q, h)[0].any()
 
 
 @pytest.mark.parametrize("name", ["abb-irb2400", "universal-robots-ur5e"])

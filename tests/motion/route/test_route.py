@@ -1,5 +1,7 @@
 """Routes: continuous, on the path, inside limits, cheapest, the same however the path is written down, or refused."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -106,6 +108,20 @@ def test_what_would_open_a_path_is_sought_when_asked(irb, seam):
         sign = 1 if changes["shift"].what[0] == "+" else -1
         moved[:, "xyz".index(changes["shift"].what[1]), 3] += sign * changes["shift"].amount
         assert irb.with_limits({"joint_1": (-0.2, 0.2)}).route(moved, free=FREE).found
+
+
+def test_a_path_is_moved_by_as_much_of_the_arm_whatever_its_size(irb):
+    plain, told = irb.description, []
+    for size in (1.0, 10.0):
+        rows = [replace(row, a=size * row.a, d=size * row.d) for row in plain.rows]
+        tool, far = irb.tool.copy(), ring(9, (1.5, 0.0, 0.6), 0.3)
+        for poses in (tool, far):
+            poses[..., :3, 3] *= size
+        arm = pieper.Arm.from_dh(rows, convention=plain.convention, limits=plain.limits, tool=tool)
+        (change,) = arm.route(far, free=FREE).blocked.relaxations
+        told.append((change.kind, change.what, change.amount / size))
+    assert told[0][:2] == ("shift", "-x") and told[0][:2] == told[1][:2]
+    assert told[0][2] == pytest.approx(told[1][2], rel=1e-6)
 
 
 @pytest.mark.slow

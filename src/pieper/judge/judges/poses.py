@@ -71,8 +71,7 @@ class Reading:
         return [place for place in self.off() if not self._cut(place)]
 
     def _cut(self, place: Place) -> bool:
-        slack = self.slack[place]
-        near = [self.right[place] + k * slack for k in ((-1, 0, 1) if slack else (0,))]
+        near = [self.right[place] + k * self.slack[place] for k in (-1, 0, 1)]
         return any(cut_off(self.printed[place[0]][place[1]], value) for value in near)
 
 

@@ -250,8 +250,8 @@ def _terms(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, gap: np.
             yield Slip("extra term", ("{} too many", term), root, path, Add.of(*rest), 1.25)
             continue
         new = Add.of(node, Neg.of(term) if found.coefficient < 0 else term)
-        more += _foreign(root, shelf, found)
         cost = 1.2 + more + 0.15 * len(found.letters) + 0.2 * (abs(found.coefficient) != 1) + 0.5 * (not found.letters)
+        cost += _foreign(root, shelf, found)
         yield Slip("missing term", ("{} lost after {}", term, node), root, path, new, cost)
 
 

@@ -87,7 +87,9 @@ def with_manner(text: str, targets: Sequence[Target], reader: Reader) -> list[Ta
                 )
             )
             happened = []
-    if out and happened:
+    if happened and not out:
+        out.append(Target("stay"))
+    if happened:
         out[-1] = replace(out[-1], after=tuple(happened))
     return out
 

@@ -34,8 +34,9 @@ class Target:
     """What is read back.
 
     Attributes:
-        kind: "move_j", "move_l", "move_c", or "point" of a trajectory.
+        kind: "move_j", "move_l", "move_c", "point" of a trajectory, or "stay": nothing moves, and things happen.
         q: (n,) joint values, rad or m, where the file has them.
+        joints: Names of the joints whose values these are, where the file says them.
         T: (4, 4) pose in the base, m, where the file has it.
         via: (4, 4) pose that a circle passes, where the file has it.
         q_via: (n,) joint values there, where the file has them.
@@ -64,6 +65,7 @@ class Target:
     near: Array | None = None
     before: tuple[Happening, ...] = ()
     after: tuple[Happening, ...] = ()
+    joints: tuple[str, ...] = ()
     place: int = field(default=0, repr=False)
 
     def means_tool(self, T: Array) -> bool:

@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper.errors import InputError
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, numbers
+from pieper.motion.dialects.named_joints import UNITS, joint_columns, read_table
 from pieper.words_by_number import plural
 
 
@@ -27,17 +28,27 @@ def write_ros(script: Script) -> str:
 def read_ros(text: str) -> list[Target]:
     """Return the points of a trajectory."""
     rows = re.findall(r"positions:\s*\[([^\]]*)\]", text)
-    listed = re.search(r"^joint_names:\s*(?:\[([^\]]*)\]|((?:\n\s*- .*)+))", text, re.M)
-    if listed is None:
-        raise InputError("the trajectory names no joints: its joint_names are missing.", given="joint_names")
-    names = listed[1].split(",") if listed[1] is not None else listed[2].strip().splitlines()
+    names = joint_names(text)
     points = [np.array([float(v) for v in row.split(",")]) for row in rows]
     for number, q in enumerate(points, 1):
         if len(q) != len(names):
             raise InputError(
                 f"point {number} of the trajectory has {len(q)} positions for {plural(len(names), 'joint')}.", given=q
             )
-    return [Target("point", q=q) for q in points]
+    return [Target("point", q=q, joints=names) for q in points]
+
+
+def joint_names(text: str) -> tuple[str, ...]:
+    """Return the names of a trajectory's joints in their order.
+
+    Raises:
+        InputError: It names none.
+    """
+    listed = re.search(r"^\s*joint_names:\s*(?:\[([^\]]*)\]|((?:\n\s*- .*)+))", text, re.M)
+    if listed is None:
+        raise InputError("the trajectory names no joints: its joint_names are missing.", given="joint_names")
+    names = listed[1].split(",") if listed[1] is not None else listed[2].strip().splitlines()
+    return tuple(name.strip().removeprefix("- ").strip().strip("'\"") for name in names)
 
 
 def write_csv(script: Script) -> str:
@@ -57,19 +68,13 @@ def write_csv(script: Script) -> str:
 
 def read_csv(text: str) -> list[Target]:
     """Return the points of a table."""
-    head, *rows = text.strip().splitlines()
-    columns = [
-        (i, np.pi / 180 if name.endswith("_deg") else 0.001)
-        for i, name in enumerate(head.split(","))
-        if name.endswith(("_deg", "_mm"))
-    ]
+    head, values = read_table(text)
+    columns = [column for column in joint_columns(head) if column.order == 0]
     if not columns:
-        raise InputError("the table has no joint columns: their names end in _deg or _mm.", given=head)
-    out: list[Target] = []
-    for row in rows:
-        cells = row.split(",")
-        out.append(Target("point", q=np.array([float(cells[i]) * scale for i, scale in columns])))
-    return out
+        raise InputError("the table has no joint columns: their names end in _deg, _rad, _mm or _m.", given=head)
+    names = tuple(column.joint for column in columns)
+    q = values[:, [column.at for column in columns]] * [UNITS[column.unit] for column in columns]
+    return [Target("point", q=row, joints=names) for row in q]
 
 
 ROS = Dialect("ros", (".yaml", ".yml"), None, 200, write_ros, read_ros)

@@ -7,13 +7,17 @@ the path and looked at like any other. What is found is no less sure than by a l
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Indices
+from pieper.kinematics.joints import TURN
 from pieper.motion.route.front import Ended, can_be_followed, follow
 from pieper.motion.route.grid import grid
 from pieper.motion.route.ladder import rungs
 from pieper.motion.route.search import Found, Task, carried, cost_of, dense
+from pieper.motion.route.setting import Setting
 from pieper.motion.route.smooth import Smoothed
 from pieper.motion.route.windows import known
 
@@ -23,6 +27,8 @@ FINE = 1.5
 MOST, KEPT = 40_000, 1500
 #: Largest steps of a chain (rad; lengths) that are tried: what needs a longer one may jump to another branch.
 STEPS = (0.15, 0.3, 0.6)
+#: Points of a station whose steps are counted at once: those that lie side by side, from all that are near.
+AT_ONCE = 64
 #: Least and most points between those of a path.
 EACH = (4, 20)
 
@@ -58,8 +64,8 @@ def _stations(task: Task) -> list[Array] | None:
         if front.ended is not Ended.ARRIVED or not 0 < len(front.q) <= KEPT:
             return None
         points = front.q
-        inside = world.chain.joints.inside_limits(points, world.limits)
-        out.append(inside[0][inside[1]])
+        wound, inside = world.chain.joints.inside_limits(points, world.limits)
+        out.append(wound[task.keep.rows(world, wound, inside)])
         if not len(out[-1]):
             return None
     first, last = task.ends
@@ -75,16 +81,35 @@ def _cheapest(task: Task, stations: list[Array], longest: float) -> Array | None
     arm = np.arange(world.m) < world.n
     cost, came = np.zeros(len(stations[0])), list[Indices]()
     for a, b in zip(stations[:-1], stations[1:], strict=True):
-        e = world.chain.joints.difference(b[:, None], a[None])
-        size = np.abs(e / unit)[..., arm].max(-1)
-        steps = (np.sqrt(weights) * np.abs(e)).max(-1) if task.largest else (weights * e * e).sum(-1)
-        total = np.where(size <= longest, steps + cost, np.inf)
-        came.append(total.argmin(1))
-        cost = total.min(1)
+        least, best = np.full(len(b), np.inf), np.zeros(len(b), np.int64)
+        for some, near in _near(world, a, b, longest):
+            e = world.chain.joints.way(b[some, None], a[None, near])
+            size = np.abs(e / unit)[..., arm].max(-1)
+            steps = (np.sqrt(weights) * np.abs(e)).max(-1) if task.largest else (weights * e * e).sum(-1)
+            total = np.where(size <= longest, steps + cost[near], np.inf)
+            least[some], best[some] = total.min(1), near[total.argmin(1)]
+        cost = least
+        came.append(best)
     if not np.isfinite(cost).any():
         return None
     chain = [int(np.argmin(cost))]
     for before in reversed(came):
         chain.append(int(before[chain[-1]]))
     x = np.array([points[k] for points, k in zip(stations, reversed(chain), strict=True)])
-    return x[0] + np.vstack([np.zeros(world.m), np.cumsum(world.chain.joints.difference(x[1:], x[:-1]), axis=0)])
+    return x[0] + np.vstack([np.zeros(world.m), np.cumsum(world.chain.joints.way(x[1:], x[:-1]), axis=0)])
+
+
+def _near(world: Setting, a: Array, b: Array, longest: float) -> Iterator[tuple[Indices, Indices]]:
+    """Yield rows of b, some at a time, and all rows of a that a step of at most `longest` can lead to them from."""
+    joints = world.chain.joints
+    spread = np.ptp(b[:, : world.n] / joints.unit[: world.n], axis=0)
+    j = int(np.argmax(spread))
+    turns = not joints.prismatic[j]
+    key = b[:, j] % TURN if turns else b[:, j]
+    order, room = np.argsort(key), longest * joints.unit[j]
+    for some in np.array_split(order, -(-len(order) // AT_ONCE)):
+        low, wide = key[some[0]] - room, key[some[-1]] - key[some[0]] + 2 * room
+        beyond = (a[:, j] - low) % TURN if turns else a[:, j] - low
+        near = np.flatnonzero((beyond >= 0) & (beyond <= wide) if joints.coupled is None else np.ones(len(a), bool))
+        if len(near):
+            yield some, near

@@ -55,7 +55,7 @@ def _few_each(setting: Setting, x: Array, valid: Bools) -> Array:
     if not ever.any():
         return x[:0, 0]
     x, valid = x[:, ever], valid[:, ever]
-    near = np.abs(joints.difference(x[:-1, :, None], x[1:, None]) / joints.unit).max(-1)
+    near = joints.apart(x[:-1, :, None], x[1:, None])
     near = np.where(valid[:-1, :, None] & valid[1:, None], near, np.inf)
     after: Indices = near.argmin(-1)
     goes = near.min(-1) < LINKED

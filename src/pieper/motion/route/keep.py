@@ -25,6 +25,8 @@ class Keep:
         distance: Distances (k,) of joint vectors (k, n), m; None without a scene.
         clear: Whether joint moves through (N, n) are proved clear by the clearance; None without a scene.
         nearest: What is nearest to what at a joint vector (n,), in words; None without a scene.
+        at_most: Upper bounds (k,) of the distance at all postures whose axes are within (k,) of joint vectors (k, n);
+            None without a scene.
     """
 
     singularity: float = 0.0
@@ -32,6 +34,7 @@ class Keep:
     distance: Callable[[Array], Array] | None = None
     clear: Callable[[Array], bool] | None = None
     nearest: Callable[[Array], str] | None = None
+    at_most: Callable[[Array, Array], Array] | None = None
 
     @property
     def anything(self) -> bool:

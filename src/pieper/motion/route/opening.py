@@ -146,7 +146,10 @@ def _least(
 
     def opens(amount: float) -> bool:
         task = changed(amount)
-        return search(task, 1) is not None or search_on_front(task) is not None
+        if search(task, 1) is not None:
+            return True
+        # what keeps clear of a scene keeps clear by a ladder too; a front is for limits that a ladder's turns step over
+        return not task.keep.anything and search_on_front(task) is not None
 
     for amount in (high * ROOM, min(2 * high, most), most):
         if opens(amount):

@@ -17,6 +17,7 @@ from pieper.motion.route.closed import blocked_at
 from pieper.motion.route.freedom import Verdict
 from pieper.motion.route.front import can_be_followed, modulo_turns
 from pieper.motion.route.grid import Grid, grid
+from pieper.motion.route.in_the_scene import Missed, closed_by_scene, missed
 from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import Rungs, climb, rungs
 from pieper.motion.route.nowhere import nothing_within_cone
@@ -34,8 +35,6 @@ STATIONS, DENSE = 100, 400
 #: Poses at which it is looked whether anything holds them where more than one coordinate is free, and how many of them
 #: are tried to prove of those that no row holds.
 ONE_POSE_AT, ONE_POSE_TRIED = 26, 3
-#: Places of the path that are looked at for what misses a clearance.
-KEPT_AT = 26
 
 
 def refusal(task: Task, thorough: bool) -> tuple[Verdict, Blocked | None, str]:
@@ -51,6 +50,10 @@ def refusal(task: Task, thorough: bool) -> tuple[Verdict, Blocked | None, str]:
             return _uncertain(task)
         far = beyond_reach(setting) if setting.spare > 1 else None
         return _at_one_pose(task) if far is None else _too_far(task, *far)
+    places = missed(task)
+    closed = closed_by_scene(task, places)
+    if closed is not None:
+        return _in_the_way(task, *closed)
     more = task.keep.anything or task.turn_step is not None
     if more and search(replace(task, keep=Keep(), turn_step=None)) is not None:
         # limits alone let a route through: what closes the way can only be what is to be kept beside them
@@ -181,27 +184,28 @@ def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:
 
 def _nearest_kept(task: Task) -> str:
     """Return where and by what the clearance is missed by all postures that were looked at, in a sentence; or none."""
-    keep, setting = task.keep, task.setting
-    if keep.distance is None or keep.nearest is None:
-        return ""
-    at = setting.s[stations(len(setting.s), KEPT_AT)]
-    ladder = rungs(setting, grid(setting), at, np.ones(len(at) - 1))
-    x, ok = setting.chain.joints.inside_limits(ladder.x, setting.limits)
-    worst: tuple[float, float, Array] | None = None
-    for s, rows, valid in zip(at.tolist(), x, ladder.valid & ok, strict=True):
-        postures = rows[valid][:, : setting.n]
-        if not len(postures):
-            continue
-        room = np.asarray(keep.distance(postures), np.float64)
-        best = int(np.argmax(room))
-        if worst is None or room[best] < worst[0]:
-            worst = float(room[best]), s, postures[best]
-    if worst is None or worst[0] >= keep.clearance:
-        return ""
-    return (
-        f" At {worst[1]:.4g} of the path no posture that was looked at keeps {keep.clearance * 1e3:.4g} mm: at "
-        f"best {keep.nearest(worst[2])} are {worst[0] * 1e3:.4g} mm apart."
+    places = missed(task)
+    return f" {_misses(task, places[0])}" if places else ""
+
+
+def _misses(task: Task, place: Missed, that: str = "that was looked at ") -> str:
+    keep = task.keep
+    pair = "" if keep.nearest is None else keep.nearest(place.q)
+    apart = (
+        f"{place.metres * 1e3:.4g} mm apart" if place.metres > 0 else f"{-place.metres * 1e3:.4g} mm into each other"
     )
+    kept = f"keeps {keep.clearance * 1e3:.4g} mm" if keep.clearance else "is clear"
+    best = "at best" if that else "of those on an even grid the best has"
+    return f"At {place.s:.4g} of the path no posture {that}{kept}: {best} {pair} {'are ' if that else ''}{apart}."
+
+
+def _in_the_way(task: Task, place: Missed, looked: int) -> tuple[Verdict, Blocked, str]:
+    why = _misses(task, place, "")
+    reason = (
+        f"Impossible: no motion gets past {place.s:.6g} of the path, whatever the branch, the turn and the whole turns."
+        f" All that holds the pose there inside the limits was looked at with proved bounds: {plural(looked, 'point')}."
+    )
+    return Verdict.IMPOSSIBLE, Blocked((place.s, place.s), (), why, place.s, Opening(task, ())), reason
 
 
 def _dense(s: Array, count: int) -> Array:

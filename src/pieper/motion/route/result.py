@@ -167,10 +167,10 @@ class Route:
         lines = [self.reason]
         if self.found:
             lines.append(f"Cost {self.cost:.6g}; no route along these points costs less than {self.bound:.3g}.")
-            if self.free.turns:
+            if self.setting.turns and (self.free.turns or self.setting.curves is self.plan):
                 low, high = np.degrees(self.turn.min()), np.degrees(self.turn.max())
                 lines.append(f"The tool turns between {low:z.2f} and {high:z.2f} deg about its {self.free.axis} axis.")
-            if self.free.cone:
+            if self.setting.tilts:
                 lines.append(f"Its axis is tilted by up to {np.degrees(self.tilt.max()):z.2f} deg.")
         if self.blocked is not None:
             lines.append(self.blocked.why)

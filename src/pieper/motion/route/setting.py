@@ -63,9 +63,19 @@ class Setting:
         return self.turns and self.rows is not self.curves
 
     @cached_property
+    def carried(self) -> Plan:
+        """The plan whose branches are carried: of the axes where the task that is left is not the arm's own."""
+        own = not self.turns or self.turn_on_grid or self.plan.task == self.curves.task
+        return self.plan if own else self.curves
+
+    def carried_at(self, q: Array) -> Array:
+        """Return joints (..., n) as the plan that is carried has them."""
+        return q if self.carried is self.plan else self.axes_at(q)
+
+    @cached_property
     def tilts(self) -> bool:
-        """Whether the tool's axis may tilt."""
-        return self.free.cone > 0
+        """Whether the tool's axis is kept, and may tilt."""
+        return self.free.cone > 0 and self.curves.task != "position"
 
     @cached_property
     def chain(self) -> Chain:
@@ -212,7 +222,11 @@ def setting(plan: Plan, curves: Plan, free: Freedom, path: Array, s: Array) -> S
             "joints are the axes, without the limits of coupled joints, and take np.linalg.solve(arm.coupling, "
             "route.q.T).T."
         )
-    if free.cone > 0 and generic_rank(with_task_joints(plan.chain.uncoupled, "position")) < 6:
+    if (
+        free.cone > 0
+        and curves.task != "position"
+        and generic_rank(with_task_joints(plan.chain.uncoupled, "position")) < 6
+    ):
         raise PlanError(f"{plan.name} cannot tilt its tool: leave out the cone.")
     z = free.to_z
     rows = curves

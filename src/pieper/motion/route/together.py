@@ -58,8 +58,8 @@ def continuous(setting: Setting, x: Array) -> bool:
 
 def way_of(setting: Setting) -> Continuation:
     """Return what carries branches of the arm along the poses, turned by what the turn is held at."""
-    turn, _ = setting.free.interval if setting.turns else (0.0, 0.0)
-    return Continuation(setting.plan, setting.path @ rotation_z(np.asarray(turn)))
+    turn, _ = setting.free.interval if setting.turn_on_grid else (0.0, 0.0)
+    return Continuation(setting.carried, setting.path @ rotation_z(np.asarray(turn)))
 
 
 def one_branch(setting: Setting, x: Array) -> bool:
@@ -67,7 +67,7 @@ def one_branch(setting: Setting, x: Array) -> bool:
 
     Only there does one branch become another, and the determinant of the Jacobian changes its sign.
     """
-    way, q = way_of(setting), x[:, : setting.n]
+    way, q = way_of(setting), setting.carried_at(x[:, : setting.n])
     side = way.sides(q)
     for k in np.flatnonzero((side[1:] != side[:-1]) | (side[1:] == 0)).tolist():
         there, place, _, given_up = way.carry(q[k : k + 1], float(k), float(k + 1))
@@ -85,17 +85,18 @@ def branches(setting: Setting, cells: Grid, ends: tuple[Array | None, Array | No
         ends: Joint vectors (m,) to begin and to end with, or None.
     """
     way, n = way_of(setting), setting.n
-    low, high = np.clip(setting.plan.limits, -np.pi, np.pi).T
-    start = (low + high) / 2 if ends[0] is None else ends[0][:n]
+    low, high = np.clip(setting.carried.limits, -np.pi, np.pi).T
+    start = (low + high) / 2 if ends[0] is None else setting.carried_at(ends[0][:n])
     rows, valid = cells.rows(setting.path)
     out: list[Array] = []
     for strand in strands(way, start):
         if strand.end is not None or len(strand.q) < len(way.path):
             continue
-        moved = _wound(setting, _whole(setting, np.array(strand.q), rows[:, 0], valid[:, 0]), ends)
+        q = np.array(strand.q) if setting.carried is setting.plan else setting.joints_at(np.array(strand.q))
+        moved = _wound(setting, _whole(setting, q, rows[:, 0], valid[:, 0]), ends)
         if moved is None or not inside(moved, setting.limits).all():
             continue
-        if outside_between(way, moved[:, :n]) is None:
+        if outside_between(way, setting.carried_at(moved[:, :n])) is None:
             out.append(moved)
     return out
 
@@ -108,7 +109,7 @@ def _whole(setting: Setting, q: Array, rows: Array, valid: Bools) -> Array:
     out: list[Array] = []
     for k in range(len(q)):
         now = np.concatenate([q[k], out[-1][n:] if out else np.zeros(setting.m - n)])
-        gap = joints.difference(rows[k], now) / joints.unit
+        gap = joints.difference(rows[k], now)
         far = np.linalg.norm(gap[:, :n], axis=1) / NO_LOOK_BETWEEN + np.linalg.norm(gap[:, n:], axis=1)
         best = int(np.argmin(np.where(valid[k], far, np.inf)))
         out.append(np.concatenate([q[k], now[n:] + (gap[best] * joints.unit)[n:]]))

@@ -78,7 +78,7 @@ def misses_end(task: Task, found: Front) -> bool:
     end = task.ends[1]
     if end is None or found.ended is not Ended.ARRIVED or found.s < 1.0:
         return False
-    gap = task.setting.chain.joints.difference(found.q, end) / task.setting.chain.joints.unit
+    gap = task.setting.chain.joints.difference(found.q, end)
     return bool((np.linalg.norm(gap, axis=1) > found.within).all())
 
 

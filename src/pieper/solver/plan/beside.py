@@ -25,7 +25,7 @@ def arms_beside(chain: Chain) -> tuple[SixJointSolver, ...]:
             axis = way / np.linalg.norm(way)
             links[k] = links[k] @ transform(rotation_about(axis, ARM_BESIDE), ARM_BESIDE * chain.length * step)
         try:
-            made.append(solver_of(Chain.of(links, chain.prismatic.copy())))
+            made.append(solver_of(Chain.of(links, chain.prismatic.copy(), scale=chain.scale)))
         except PlanError:
             continue
     return tuple(made)

@@ -90,11 +90,27 @@ def _nearly(plan: Plan) -> Plan | None:
     return next((other for other in others if not named(other.family).eliminating), None)
 
 
+def _from_afar(plan: Plan, distance: float) -> Plan:
+    """Return a plan of an arm for poses this far away, m.
+
+    Raises:
+        PlanError: From so far away joints do the same, or no solver takes it.
+    """
+    found = make_plan(replace(plan.chain, scale=distance), plan.description, task=plan.task)
+    if found.reduction.trivial:
+        return found
+    raise PlanError(f"{plan.name} has joints that do the same {distance:g} m away.")
+
+
 def _special(plan: Plan, chain: Chain, description: Description) -> Iterator[Plan]:
     """Yield plans through the special arms that an arm nearly is, the nearest first."""
     for near in NEARLY_SPECIAL:
         if snapped(chain, near)[1]:
-            yield _as_told(chain, description, plan.task, near)
+            try:
+                special = _as_told(chain, description, plan.task, near)
+            except PlanError:
+                continue  # as a special arm it has joints that do the same, or no solver
+            yield special
 
 
 def _as_told(
@@ -142,6 +158,7 @@ def _as_told(
         words=explain,
         counting=count_of,
         special=_nearly,
+        from_afar=_from_afar,
     )
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from pieper.kinematics.arrays import Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
+from pieper.solver.plan.count_of_five import five_joints
 from pieper.solver.plan.holding import TRIED
 from pieper.solver.plan.plan import Count, Plan
 from pieper.solver.plan.six_joints import generic_rank, with_task_joints
@@ -104,7 +105,12 @@ def _short(chain: Chain, geometry: Geometry, names: tuple[str, ...], task: str) 
     if found is not None:
         return found
     few = None if alike else _few_turns(geometry, slides)
-    return few if few is not None or chain.n != 4 else _two_and_two(chain, turns)
+    if few is not None:
+        return few
+    if chain.n == 4:
+        return _two_and_two(chain, turns)
+    five = five_joints(geometry, slides)
+    return None if five is None else Count(_plain_kind(chain, turns), *five)
 
 
 def _two_and_two(chain: Chain, turns: int) -> Count:
@@ -234,8 +240,11 @@ def _few_turns(geometry: Geometry, slides: Bools) -> Count | None:
     parallel = [1 - abs(axes[i] @ axes[j]) <= geometry.tolerance for i, j in pairwise(turning)]
     turns, slid = plural(len(turning), "turn"), plural(len(slides) - len(turning), "slide")
     if any(parallel):
-        if slides.any() or all(parallel):
+        if all(parallel):
             return None
+        if slides.any():
+            first, last = turning[parallel.index(True) : parallel.index(True) + 2]
+            return _one_turn_left(turns, slid, int(slides.sum()), bool(slides[first:last].any()))
         why = "the orientation says the sum of its parallel turns and the other one, and the position says each of them"
         return Count(f"an arm of {turns}", 1, why)
     ways, most = ("two ways", 2) if len(turning) == 3 else ("one way", 1)
@@ -243,6 +252,17 @@ def _few_turns(geometry: Geometry, slides: Bools) -> Count | None:
         return Count(f"an arm of {turns}", most, f"its turns have {ways} to an orientation")
     why = f"slides leave the orientation alone, its turns have {ways} to it, and the slides are then linear"
     return Count(f"an arm of {turns} and {slid}", most, why)
+
+
+def _one_turn_left(turns: str, slid: str, count: int, between: bool) -> Count | None:
+    """Count an arm that slides and one of two parallel turns place; None where a slide is between these two."""
+    if between or count > 2:
+        return None
+    why = (
+        "the orientation says the sum of its parallel turns and the other one; the slides taken out of the position, "
+        "an equation linear in the cosine and sine of a parallel turn is left, which has two roots"
+    )
+    return Count(f"an arm of {turns} and {slid}", 2, why)
 
 
 def _all_alike(geometry: Geometry, which: Bools) -> bool:

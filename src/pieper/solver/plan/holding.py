@@ -11,7 +11,7 @@ from pieper.kinematics.geometry import look
 from pieper.solver.families import choose
 from pieper.solver.native import without_far_ends
 from pieper.solver.plan import six_joints
-from pieper.solver.plan.plan import MOST_LOCKED, Plan, as_it_is
+from pieper.solver.plan.plan import MOST_LOCKED, Plan, as_it_is, as_near
 from pieper.solver.plan.prepared import made_once
 from pieper.solver.plan.unlike import unlike
 from pieper.tolerances import GEOMETRY_EXACT
@@ -93,4 +93,5 @@ def _locked(plan: Plan, values: tuple[float, ...]) -> Plan:
         defaults=np.zeros(len(reduction.locked)),
         virtual_limits=None,
         special=as_it_is,  # its description is the whole arm's, of which a special arm would be made
+        from_afar=as_near,
     )

@@ -52,6 +52,15 @@ def as_it_is(plan: Plan) -> Plan | None:
     return None
 
 
+def as_near(plan: Plan, distance: float) -> Plan:
+    """Refuse to make another plan for poses far away, where nobody handed in how.
+
+    Raises:
+        PlanError: Always.
+    """
+    raise PlanError(f"{plan.name} has one plan for every distance.")
+
+
 def uncounted(plan: Plan) -> Count:
     """Count the slots, where nobody handed in how to count."""
     return Count("an arm", plan.max_solutions, "the equation it is solved by has no more roots")
@@ -81,6 +90,8 @@ class Plan:
         words: Tells the plan as a teacher would; handed in, since words read plans.
         counting: Counts by the arm's own axes; handed in, since it reads plans.
         special: Plans through the special arm that this one nearly is, None where it is none; handed in as well.
+        from_afar: How the arm is solved for poses so many metres away, its length counted as no less than that; raises
+            PlanError where it is not. Handed in as well.
         uncoupled: Of coupled joints how the chain itself is solved, its joints free and without limits; else None.
         virtual_limits: (v, 2) limits of the task's virtual joints, rad; None where they have none.
     """
@@ -104,6 +115,7 @@ class Plan:
     words: Callable[[Plan], str] = field(default=repr, repr=False)
     counting: Callable[[Plan], Count] = field(default=uncounted, repr=False)
     special: Callable[[Plan], Plan | None] = field(default=as_it_is, repr=False)
+    from_afar: Callable[[Plan, float], Plan] = field(default=as_near, repr=False)
     uncoupled: Plan | None = field(default=None, repr=False)
     virtual_limits: Array | None = field(default=None, repr=False)
 
@@ -177,6 +189,13 @@ class Plan:
             return np.vstack([self.limits, self.virtual_limits])
         extra = self.reduction.full.n - self.n
         return np.vstack([self.limits, np.tile([-np.inf, np.inf], (extra, 1))])
+
+    @cached_property
+    def farthest(self) -> float:
+        """How far the links reach from the first axis's frame laid end to end, m; slides as far as their limits."""
+        full = self.exact.full
+        slides = np.abs(np.where(full.prismatic[:, None], self.full_limits, 0.0)).max(1).sum()
+        return float(np.linalg.norm(full.links[1:, :3, 3], axis=1).sum() + slides)
 
     @cached_property
     def nearly(self) -> Plan | None:
@@ -258,6 +277,11 @@ class Plan:
     @cached_property
     def held(self) -> dict[tuple[int, ...], Plan | PlanError]:
         """What `holding` made of this plan, by the joints that are held."""
+        return {}
+
+    @cached_property
+    def seen_from(self) -> dict[float, Plan | PlanError]:
+        """What `from_afar` made of this plan, by the power of ten of the distance, m."""
         return {}
 
     @cached_property

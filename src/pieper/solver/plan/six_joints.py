@@ -72,7 +72,7 @@ def appended(
         coupling[chain.axis_count :, chain.n :] = np.eye(len(joints))
         own = (*chain.own, *range(chain.axis_count, len(coupling)))
     sliding = np.concatenate([chain.sliding[:place], [p for _, p in joints], chain.sliding[place:]])
-    return Chain.of(np.stack(links), sliding, coupling=coupling, own=own)
+    return Chain.of(np.stack(links), sliding, coupling=coupling, own=own, scale=chain.scale)
 
 
 def sample_joints(chain: Chain, count: int, seed: int = 1) -> Array:
@@ -193,7 +193,7 @@ class Reduction:
         if self.at_ends is not None and self.locked:
             first, tail = self.at_ends
             links = self.full.links[first : self.full.n - tail + 1].copy()
-            return Chain.of(links, self.full.prismatic[self.kept].copy())
+            return Chain.of(links, self.full.prismatic[self.kept].copy(), scale=self.full.scale)
         chain = self.with_locked(values)
         return appended(chain, self.fill, at=self.fill_at) if self.fill else chain
 

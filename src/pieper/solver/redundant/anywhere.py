@@ -7,14 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
+from pieper.solver.beyond import beyond
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.box import box, descended, spread, well_inside
 from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.sweep import slices
-from pieper.tolerances import BEYOND_REACH, CLOSES, NEAR_INSIDE
+from pieper.tolerances import CLOSES, NEAR_INSIDE
 
 #: Starts of the descent inside the limits, where fewer have shown nothing: of postures inside, one start in eighty met
 #: the rarest. The last are for what the other ways have not found either.
@@ -49,7 +49,7 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
     full, limits = plan.exact.full, plan.full_limits
     low, high = box(full, limits)
     kind, q = np.full(len(T), NONE), np.zeros((len(T), full.n))
-    left = np.flatnonzero(~_beyond(full, limits, T))
+    left = np.flatnonzero(~beyond(plan, T))
 
     def keep(pose: Indices, rows: Array, within: Bools) -> None:
         """Keep the first row of each pose, the first inside before any other."""
@@ -125,13 +125,6 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
     found = np.flatnonzero(kind == INSIDE)
     q[found] = well_inside(full, q[found], T[found], limits)
     return Anywhere(kind, q)
-
-
-def _beyond(chain: Chain, limits: Array, T: Array) -> Bools:
-    """Return which poses (N,) lie farther from the first axis's frame than the links could reach laid end to end."""
-    links = np.linalg.norm(chain.links[1:, :3, 3], axis=1).sum()
-    slides = np.abs(np.where(chain.prismatic[:, None], limits, 0.0)).max(1).sum()
-    return np.linalg.norm(T[:, :3, 3] - chain.links[0][:3, 3], axis=1) > (1 + BEYOND_REACH) * (links + slides)
 
 
 def spare_values(plan: Plan, q: Array) -> Array:

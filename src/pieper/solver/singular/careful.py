@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -24,6 +24,7 @@ from pieper.tolerances import (
     CLEARLY_REGULAR,
     HOLDS_EXACTLY,
     NEARLY_ZERO,
+    ON_FIRST_AXIS,
     PLAIN_MISS,
     PRECISE_RANK,
     SAME_AFTER_CUT,
@@ -39,6 +40,8 @@ ALL_OVER = 80
 #: Poses beside one that vouch for it. A double root shows on one side of its fold alone, so that one that neither the
 #: rows nor other starts lead to hides from all of them in one of 2**6 directions.
 VOUCHING = 6
+#: Places along a self-motion beside which poses are taken that may vouch.
+PLACES = (0.06, 0.31, 0.57, 0.83)
 
 
 def near_rows(plan: Plan, poses: Array) -> Array:
@@ -200,14 +203,43 @@ def _certain_beside(plan: Plan, T: Array) -> Array | None:
             count += 1
     if plan.arms_beside:
         return np.concatenate(rows) if count == VOUCHING else None
-    for size in SURE_ASIDE:
-        q, valid, _, flags = plan.solver.many(np.ascontiguousarray(side_steps(plan.chain, T, (size,))), 1)
+    return _certain_of(plan, (side_steps(plan.chain, T, (size,)) for size in SURE_ASIDE))
+
+
+def _certain_of(plan: Plan, poses: Iterable[Array]) -> Array | None:
+    """Return the solutions (m, 6) of the first poses (k, 4, 4) of each set that are certain; None where too few are."""
+    count, rows = 0, [np.empty((0, 6))]
+    for some in poses:
+        q, valid, _, flags = plan.solver.many(np.ascontiguousarray(some), 1)
         certain = np.flatnonzero((flags & Flag.UNCERTAIN) == 0)[: VOUCHING - count]
         rows.append(q[certain][valid[certain]])
         count += len(certain)
         if count == VOUCHING:
             return np.concatenate(rows)
     return None
+
+
+def _certain_around(plan: Plan, T: Array, postures: Array) -> Array | None:
+    """Return the solutions (m, 6) of poses near T that postures a little beside some (k, n) have, where certain."""
+    rng = np.random.default_rng(31)
+    which = postures[rng.integers(len(postures), size=2 * VOUCHING)]
+    ways = rng.standard_normal(which.shape) * plan.chain.joints.unit
+    return _certain_of(plan, (_turned_as(plan, T, plan.chain.native.fk(which + size * ways)) for size in SURE_ASIDE))
+
+
+def _turned_as(plan: Plan, T: Array, poses: Array) -> Array:
+    """Return poses (k, 4, 4) that are turned as near to T as the task leaves them free."""
+    if plan.task == "pose":
+        return poses
+    out = np.array(poses)
+    out[:, :3, :3] = T[:3, :3]
+    if plan.task == "position+axis":
+        z, there = T[:3, 2], poses[:, :3, 2]
+        v, c = np.cross(z, there), there @ z
+        K = np.zeros((len(poses), 3, 3))
+        K[:, [2, 0, 1], [1, 2, 0]], K[:, [1, 2, 0], [2, 0, 1]] = v, -v
+        out[:, :3, :3] = (np.eye(3) + K + K @ K / (1 + c)[:, None, None]) @ T[:3, :3]
+    return out
 
 
 def all_there(plan: Plan, T: Array, rows: Array, flag: int) -> bool:
@@ -253,6 +285,12 @@ def vouched(
     if counted_by_special(plan, T, rows):
         return True
     back = _led_back(plan, T)
+    if back is None and plan.whole and not plan.arms_beside:
+        # at the edge of reach nearly all poses beside have none: those that postures beside what was found have do not
+        points = [rows, *(motion.at(u)[None] for motion in motions for u in PLACES)]
+        every = np.concatenate(points)
+        beside = _certain_around(plan, T, every) if len(every) else None
+        back = None if beside is None else _onto(plan, T, beside)
     if back is None:
         return False
     if len(rows):
@@ -269,6 +307,11 @@ def _led_back(plan: Plan, T: Array) -> Array | None:
     beside = _certain_beside(plan, T)
     if beside is None or not (len(beside) or plan.arms_beside):
         return None
+    return _onto(plan, T, beside)
+
+
+def _onto(plan: Plan, T: Array, beside: Array) -> Array:
+    """Return to what (m, n) of T solutions beside (k, 6) lead."""
     full = plan.exact.full
     back = newton(full, beside, T, steps=SLOW_STEPS, cutoff=SLOW_RANK)
     return back[missed(full, back, T) < HOLDS][:, : plan.n]
@@ -308,10 +351,10 @@ def overlooked(plan: Plan, poses: Array) -> Bools:
     the poses themselves too, and however it is filled up.
     """
     aside = side_steps(plan.chain, poses, (CAREFUL_ASIDE,))
+    found = _on_first_axis(plan, poses)
     if not plan.refilled:
         valid = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[1]
-        return np.any(valid.reshape(len(poses), -1), axis=1)
-    found = np.zeros(len(poses), bool)
+        return found | np.any(valid.reshape(len(poses), -1), axis=1)
     every = np.ascontiguousarray(np.concatenate([poses[:, None], aside], 1).reshape(-1, 4, 4))
     for solver, real in ((plan.solver, plan.reduction.real), *plan.refilled):
         q, valid, _, flags = solver.many(every, 1)
@@ -326,3 +369,18 @@ def overlooked(plan: Plan, poses: Array) -> Bools:
         leads[plain] = off[plain] + CAREFUL_ASIDE > PLAIN_MISS * (s[:, -1] / s[:, 0]) ** 2
         found |= np.any(leads.reshape(len(poses), -1), axis=1)
     return found
+
+
+def _on_first_axis(plan: Plan, poses: Array) -> Bools:
+    """Return which positions of poses (N, 4, 4) lie on the axis of a first joint that turns (N,).
+
+    That joint may stand anywhere there. Where the arm reaches one height on the axis alone it reaches a cone's outside
+    around it, which may be so flat that no pose beside has a solution.
+    """
+    chain = plan.exact.full
+    if plan.task != "position" or chain.prismatic[0]:
+        return np.zeros(len(poses), bool)
+    point, axis = chain.points[0], chain.axes[0]
+    away = poses[:, :3, 3] - point
+    across = np.linalg.norm(np.cross(away, axis), axis=1)
+    return across <= ON_FIRST_AXIS * (np.linalg.norm(away, axis=1) + np.linalg.norm(point))

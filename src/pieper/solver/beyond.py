@@ -1,0 +1,25 @@
+"""Poses that are out of reach whatever any solver says of them: farther away than the links laid end to end."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pieper.kinematics.arrays import Array, Bools
+from pieper.solver.plan.plan import Plan
+from pieper.solver.rows import Flag, Rows
+from pieper.tolerances import BEYOND_REACH
+
+#: What a kernel may say of such a pose, none of which can be true.
+DOUBTS = int(Flag.DEGENERATE | Flag.UNCERTAIN | Flag.EDGE)
+
+
+def beyond(plan: Plan, T: Array) -> Bools:
+    """Return which poses (N, 4, 4) lie farther from the first axis's frame than the links could reach (N,)."""
+    away: Array = np.linalg.norm(T[:, :3, 3] - plan.exact.full.links[0][:3, 3], axis=1)
+    return away > (1 + BEYOND_REACH) * plan.farthest
+
+
+def without_doubt(plan: Plan, T: Array, rows: Rows) -> None:
+    """Take the doubt off poses T (N, 4, 4) that have no rows and are beyond reach: nothing can be missing there."""
+    far = np.flatnonzero(((rows.flags & DOUBTS) > 0) & ~rows.valid.any(1))
+    rows.flags[far[beyond(plan, T[far])]] &= np.uint8(255 ^ DOUBTS)
