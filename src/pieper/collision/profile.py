@@ -10,6 +10,7 @@ import numpy.typing as npt
 from pieper.collision.distance import distance
 from pieper.collision.model import Model
 from pieper.collision.swept import Clearance, Swept, clear, postures_on
+from pieper.kinematics.arrays import ArrayLike
 
 Array = npt.NDArray[np.float64]
 #: Stretches that a path is looked at in.
@@ -38,19 +39,19 @@ class Profile:
     proved: Array
 
 
-def profile(model: Model, q: Array, margin: float = 0.0) -> Profile:
+def profile(model: Model, given: ArrayLike, margin: float = 0.0) -> Profile:
     """Return what a path of joint vectors (N, n), rad or m, keeps away; between two of them every joint moves evenly.
 
     Args:
         model: What must keep apart.
-        q: (N, n) the path.
+        given: (N, n) the path, or one posture (n,).
         margin: Distance to keep, m.
 
     Raises:
         InputError: As of `clear`.
     """
-    swept = clear(model, q, margin)
-    q = np.atleast_2d(np.asarray(q, float))
+    swept = clear(model, given, margin)
+    q: Array = np.atleast_2d(np.asarray(given, float))
     last = len(q) - 1
     each = max(1, -(-STRETCHES // max(last, 1)))
     # points of the path among the ends, or ends among its points
