@@ -157,7 +157,7 @@ class Downhill {
       for (int i = 0; i < m; ++i) size += x[i] * x[i];
       size = std::sqrt(size);
       if (!(size >= kDescentSettled)) break;
-      const double shrink = std::min(1.0, kLongest / size);
+      const double shrink = std::min(1.0, kDescentLongest / size);
       std::copy(q, q + n, tried.begin());
       for (int i = 0; i < m; ++i) tried[free[i]] -= shrink * x[i] * chain.unit(free[i]);
       clip(tried.data());
@@ -166,9 +166,9 @@ class Downhill {
         std::copy(tried.begin(), tried.end(), q);
         value = next, way_here = way, lean_here = lean;
         slope_here.swap(slope), bend_here.swap(bend);
-        damping = larger(damping * kShrink, kDescentLeastDamping);
+        damping = larger(damping * kDescentShrink, kDescentLeastDamping);
       } else {
-        damping *= kGrow;
+        damping *= kDescentGrow;
       }
     }
     way = way_here, lean = lean_here;
@@ -204,7 +204,7 @@ class Downhill {
       for (int i = 0; i < m; ++i) x[i] = dot(here[free[i]], y), size += x[i] * x[i];
       size = std::sqrt(size);
       if (!(size >= kDescentSettled)) break;
-      const double shrink = std::min(1.0, kLongest / size);
+      const double shrink = std::min(1.0, kDescentLongest / size);
       std::copy(q, q + n, tried.begin());
       for (int i = 0; i < m; ++i) tried[free[i]] += shrink * x[i] * chain.unit(free[i]);
       clip(tried.data());
@@ -221,9 +221,6 @@ class Downhill {
   }
 
  private:
-  static constexpr double kShrink = 0.1, kGrow = 8.0;  // of the damping, where a step helped and where not
-  static constexpr double kLongest = 0.8;              // longest step, rad or lengths
-
   const DownhillChain& chain;
   Rigid goal, end{};
   std::vector<Rigid> links;

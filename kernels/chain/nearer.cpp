@@ -1,6 +1,7 @@
 // The work of `nearer` and `closest`. Compiled once, for the plainest processor.
 #include "chain/closest.hpp"
 #include "chain/downhill.hpp"
+#include "dispatch/isa.hpp"
 
 #include <numeric>
 
@@ -8,6 +9,13 @@ namespace pieper {
 namespace {
 
 using namespace PIEPER_ISA;
+
+void indefinite_step(int m, double* A, double damping, const double* b, double* x) {
+  Bent bent(m);
+  bent.m = m;
+  std::copy(A, A + m * m, bent.A.begin());
+  bent.step(damping, b, x);
+}
 
 struct Row {
   std::vector<double> q;
@@ -24,10 +32,11 @@ struct Searched {
   const Rigid goal;
   const Table& table;
   const Search& how;
+  const double* pose;  // 4 x 4, m
   Downhill hill;
 
   Searched(const DownhillChain& given, const double* T, const Table& looked_at, const Search& as)
-      : chain(given), goal(read_rigid(T, given.length)), table(looked_at), how(as), hill(given, T) {}
+      : chain(given), goal(read_rigid(T, given.length)), table(looked_at), how(as), pose(T), hill(given, T) {}
 
   // Postures of the table that are good where a turn counts so much, and some spread evenly over the others.
   Rows starts(double turn, int count, int spread) const {
@@ -51,8 +60,37 @@ struct Searched {
   }
   Row posture(int i) const { return {std::vector<double>(table.q + i * chain.n, table.q + (i + 1) * chain.n), 0, 0}; }
 
+  bool side_by_side() const { return !chain.coupling && chain.n <= kDescendingJoints; }
+
+  // Rows through descend(q), which writes them over.
+  template <class Descend> void all_at_once(Rows& rows, Descend descend) {
+    const long n = chain.n;
+    std::vector<double> q;
+    for (const Row& row : rows) q.insert(q.end(), row.q.begin(), row.q.end());
+    descend(q.data());
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].q.assign(q.data() + i * n, q.data() + (i + 1) * n);
+  }
+
   void down(Rows& rows, double turn, int steps) {
-    for (Row& row : rows) hill.down(turn, steps, row.q.data()), row.way = hill.way, row.lean = hill.lean;
+    if (!side_by_side()) {
+      for (Row& row : rows) hill.down(turn, steps, row.q.data()), row.way = hill.way, row.lean = hill.lean;
+      return;
+    }
+    std::vector<double> left(2 * rows.size());
+    all_at_once(rows, [&](double* q) {
+      isa().downhill(chain, pose, turn, steps, indefinite_step, static_cast<long>(rows.size()), q, left.data());
+    });
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].way = left[2 * i], rows[i].lean = left[2 * i + 1];
+  }
+  void towards_place(Rows& rows) {
+    if (!side_by_side()) {
+      for (Row& row : rows) hill.towards_place(how.crawl, row.q.data()), row.way = hill.way;
+      return;
+    }
+    std::vector<double> left(rows.size());
+    all_at_once(
+        rows, [&](double* q) { isa().crawl(chain, pose, how.crawl, static_cast<long>(rows.size()), q, left.data()); });
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].way = left[i];
   }
 
   // The nearest rows where a turn counts so much, of those that are alike the first.
@@ -93,7 +131,7 @@ struct Searched {
       Rows more;
       for (int i = 0; i < std::min(how.more, table.count); ++i) more.push_back(posture(i));
       for (const int kept : {how.more_kept, stage.keep}) {
-        for (Row& row : more) hill.towards_place(how.crawl, row.q.data()), row.way = hill.way;
+        towards_place(more);
         more = best(more, 0.0, kept);
       }
       down(more, 0.0, how.few_steps);

@@ -4,6 +4,7 @@
 // out of the headers: the linker merges them across instruction sets.
 #include "dispatch/isa.hpp"
 
+#include "chain/downhill_lanes.hpp"
 #include "chain/forward.hpp"
 #include "chain/limits.hpp"
 #include "chain/posecheck.hpp"
@@ -71,6 +72,8 @@ const IsaTable& PIEPER_JOIN(isa_, PIEPER_ISA)() {
                                  &choose_in_turn,
                                  &outcomes,
                                  &copy_past_cache,
+                                 &go_downhill,
+                                 &crawl_to_place,
                                  &make_model,
                                  &drop_model,
                                  &collision_nearest,

@@ -38,6 +38,14 @@ struct Selection {
   const std::uint8_t* prismatic;
 };
 
+struct DownhillChain;  // chain/nearer.hpp
+struct Crawl;          // chain/closest.hpp
+
+// Joints of a chain whose postures descend side by side, at most.
+inline constexpr int kDescendingJoints = 12;
+// What Newton's step is where a matrix A (m x m, written over) has eigenvalues below zero: x solves (|A| + damping largest) x = b.
+using IndefiniteStep = void (*)(int m, double* A, double damping, const double* b, double* x);
+
 struct IsaTable {
   const char* name;
   int lanes;
@@ -75,6 +83,13 @@ struct IsaTable {
   void (*outcomes)(const std::uint8_t* valid, const std::uint8_t* inside, long count, int slots, std::uint8_t* out);
   // Copies past the cache.
   void (*stream)(double* to, const double* from, long count);
+
+  // Downhill from count rows q (written over) as `nearer` says, many side by side; left: count x 2, half the square of the way and
+  // 1 - cos of the turn. No coupled joints, at most kDescendingJoints.
+  void (*downhill)(const DownhillChain& chain, const double* T, double turning, int steps, IndefiniteStep indefinite,
+                   long count, double* q, double* left);
+  // The same to the position alone, as `Crawl` says; left: count, half the square of the way.
+  void (*crawl)(const DownhillChain& chain, const double* T, const Crawl& how, long count, double* q, double* left);
 
   // The general solver's model of an arm (elimination/general.hpp).
   void (*make_model)(General& arm);

@@ -175,9 +175,18 @@ void drop_model(General& arm) { delete static_cast<const general::Model*>(arm.mo
 
 namespace general {
 
-// W poses at T, of which `used` are asked for.
-template <class F>
-void solve_group(const Model& model, const double* T, int used, double* q, std::uint8_t* valid, std::uint8_t* flag) {
+// Where the answers of a call go.
+struct Answers {
+  double* q;
+  std::uint8_t *valid, *flag;
+
+  void write(const Model& model, const Found& found, bool certain, bool edge, long at) const {
+    write_pose(model, found, certain, edge, q + at * 6 * kSlots, valid + at * kSlots, flag + at);
+  }
+};
+
+// W poses at T, of which `used` are asked for; at: their places in the call.
+template <class F> void solve_group(const Model& model, const double* T, int used, const long* at, const Answers& to) {
   Found found[width_of<F>];
   Report report[width_of<F>];
   for (Found& f : found) f.count = 0;
@@ -195,9 +204,8 @@ void solve_group(const Model& model, const double* T, int used, double* q, std::
     // no eigenvalue near the real line: a pose beside this one brings none onto it
     const bool edge = !at_once || report[i].nearly > 0;
     // what only nearby arms vouch for is not certain
-    write_pose(model, found[i], certain && model.variant[0].arm == 0, edge, q + i * 6 * kSlots, valid + i * kSlots,
-               flag + i);
-    if (singular) flag[i] |= kDegenerate;
+    to.write(model, found[i], certain && model.variant[0].arm == 0, edge, at[i]);
+    if (singular) to.flag[at[i]] |= kDegenerate;
   }
 }
 
@@ -207,32 +215,73 @@ using Alone = std::conditional_t<PIEPER_LANES == 2, double, Lanes<2>>;
 // As many cost less one after the other than in one group.
 inline constexpr int kAlone = PIEPER_LANES < 8 ? 1 : 2;
 
+// Poses for the eigenvalues wait until all lanes are taken.
+struct Waiting {
+  static constexpr int W = PIEPER_LANES;
+  int count = 0;
+  long at[W];
+  double T[16 * W];
+
+  void add(const Model& model, const double* pose, long place, const Answers& to) {
+    __builtin_memcpy(T + 16 * count, pose, sizeof(double[16]));
+    at[count++] = place;
+    if (count == W) solve(model, to);
+  }
+  void solve(const Model& model, const Answers& to) {
+    if (count > kAlone) {
+      for (int i = count; i < W; ++i) __builtin_memcpy(T + 16 * i, T, sizeof(double[16]));
+      solve_group<Lanes<W>>(model, T, count, at, to);
+    } else {
+      for (int i = 0; i < count; ++i) {
+        double same[16 * width_of<Alone>];
+        for (int k = 0; k < width_of<Alone>; ++k) __builtin_memcpy(same + 16 * k, T + 16 * i, sizeof(double[16]));
+        solve_group<Alone>(model, same, 1, at + i, to);
+      }
+    }
+    count = 0;
+  }
+};
+
+// What the signs settle of W poses at T, the first of which is `first` of the call; the others wait.
+template <class F>
+void settle_by_signs(const Model& model, const double* T, int used, long first, const Answers& to, Waiting& waiting) {
+  Found found[width_of<F>];
+  const unsigned unclear = solve_by_signs(model, load_poses<F>(T), used, found);
+  for (int i = 0; i < used; ++i)
+    if ((unclear >> i) & 1u) waiting.add(model, T + 16 * i, first + i, to);
+    else to.write(model, found[i], true, false, first + i);
+}
+
 }  // namespace general
 
 void solve_general(const General& arm, const double* T, long count, double* q, std::uint8_t* valid,
                    std::uint8_t* flag) {
   using namespace general;
   const Model& model = *static_cast<const Model*>(arm.model);
+  const Answers to = {q, valid, flag};
+  Waiting waiting;
   in_lanes(T, count, [&](long done, int used, const double* poses) {
-    double* rows = q + done * 6 * kSlots;
-    std::uint8_t *good = valid + done * kSlots, *say = flag + done;
     if (model.prismatic_count == 3) {
       for (int i = 0; i < used; ++i) {
         Found found;
         found.count = 0;
         const bool isolated = solve_slides(model, load_poses<double>(poses + 16 * i), found);
-        write_pose(model, found, true, true, rows + i * 6 * kSlots, good + i * kSlots, say + i);
-        if (!isolated) say[i] = kDegenerate | (say[i] & kEdge);
+        to.write(model, found, true, true, done + i);
+        if (!isolated) flag[done + i] = kDegenerate | (flag[done + i] & kEdge);
       }
-      return;
-    }
-    if (used > kAlone) return solve_group<Lanes<PIEPER_LANES>>(model, poses, used, rows, good, say);
-    for (int i = 0; i < used; ++i) {
-      double same[16 * width_of<Alone>];
-      for (int k = 0; k < width_of<Alone>; ++k) __builtin_memcpy(same + 16 * k, poses + 16 * i, sizeof(double[16]));
-      solve_group<Alone>(model, same, 1, rows + i * 6 * kSlots, good + i * kSlots, say + i);
+    } else if (!model.by_signs) {
+      for (int i = 0; i < used; ++i) waiting.add(model, poses + 16 * i, done + i, to);
+    } else if (used > kAlone) {
+      settle_by_signs<Lanes<PIEPER_LANES>>(model, poses, used, done, to, waiting);
+    } else {
+      for (int i = 0; i < used; ++i) {
+        double same[16 * width_of<Alone>];
+        for (int k = 0; k < width_of<Alone>; ++k) __builtin_memcpy(same + 16 * k, poses + 16 * i, sizeof(double[16]));
+        settle_by_signs<Alone>(model, same, 1, done + i, to, waiting);
+      }
     }
   });
+  waiting.solve(model, to);
 }
 
 class GeneralKernel {

@@ -34,6 +34,7 @@ struct Model {
   bool prismatic[6];
   int prismatic_count;
   int variants;
+  bool by_signs;  // whether the best way's determinant tells of most poses by its signs (by_signs.hpp)
   Variant variant[kMaxVariants];
 };
 
@@ -66,25 +67,40 @@ template <class F> struct Eliminated {
   F around[kRound];    // and around the circle
 };
 
-template <class F, int N> void eliminate_poses(const Model& model, const Variant& v, const RigidT<F>& pose,
-                                               Eliminated<F>& out, Compressed<F, N>& matrix) {
+// Of them what comes before the matrix: links, the right side and the six equations. use(basis, between) is told of the
+// row space, of the arm or of the poses; where not Bases it is not made.
+template <class F, int N, bool Bases = false, class Use>
+void equations_of(const Model& model, const Variant& v, const RigidT<F>& pose, Eliminated<F>& out, Use use) {
   role_links(model, v.arm, v.roles, pose, out.link);
   if (v.arm) role_links(model, 0, v.roles, pose, out.arm_link);
   right_side(out.link, v.roles, out.right);
   const int yr = v.swap ? 4 : 3, xr = v.swap ? 3 : 4;
   const auto finish = [&](const auto& left, const auto& basis, const auto& between) {
     eliminate(left, out.right, v.layout, v.roles.prismatic[yr], v.roles.prismatic[xr], out.eq);
-    choose_chart<F, N>(out.eq, v.layout, out.chart_c, out.chart_s, out.largest, out.around);
-    compress(out.eq, basis, between, v.layout, out.chart_c, out.chart_s, matrix);
+    use(basis, between);
   };
   if (v.pose_free()) return finish(v.left, basis_of<N>(v), between_of<N>(v));
   LeftSide<F> left;
   RowSpace<F, N> basis;
   Between<F, N> between;
   left_side(out.link, v.roles, v.chart, v.swap, left);
-  row_space<F, N>(left, v.layout, basis);
-  products_of(basis, between);
+  if constexpr (Bases) {
+    row_space<F, N>(left, v.layout, basis);
+    products_of(basis, between);
+  }
   finish(left, basis, between);
+}
+template <class F, int N>
+void equations_of(const Model& model, const Variant& v, const RigidT<F>& pose, Eliminated<F>& out) {
+  equations_of<F, N>(model, v, pose, out, [](const auto&, const auto&) {});
+}
+
+template <class F, int N> void eliminate_poses(const Model& model, const Variant& v, const RigidT<F>& pose,
+                                               Eliminated<F>& out, Compressed<F, N>& matrix) {
+  equations_of<F, N, true>(model, v, pose, out, [&](const auto& basis, const auto& between) {
+    choose_chart<F, N>(out.eq, v.layout, out.chart_c, out.chart_s, out.largest, out.around);
+    compress(out.eq, basis, between, v.layout, out.chart_c, out.chart_s, matrix);
+  });
 }
 
 // By how much the eigenvalues fail to be the zeros of the determinant, whose sizes around the circle are given, of the largest.

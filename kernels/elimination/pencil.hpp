@@ -104,34 +104,88 @@ template <class F, int N> void row_space(const LeftSide<F>& left, int layout, Ro
   }
 }
 
-// Six by six core of the twelve by twelve matrix [0 A B C; A B C 0]: the columns y^3 and 1 eliminated by orthogonal reflections.
-// Unknowns left: y^2, y times x^2, x, 1. Returns the product of the eliminated pivots.
-template <class F> F core(const F (*e)[9], F (&six)[6][6]) {
-  F front[6][9], back[6][9];
-  for (int r = 0; r < 6; ++r)
-    for (int j = 0; j < 9; ++j) {
-      front[r][j] = e[r][j];
-      back[r][j] = e[r][(j + 6) % 9];
+// Reflections that make a triangle of C columns of six rows, and what they do to another column. A column at a time, so that it
+// stays in registers. The columns become the reflections; returns the product of the pivots.
+template <class F, int C> PIEPER_INLINE F reflections(F (&v)[C][6], F (&scale)[C]) {
+  F product = 1.0;
+#pragma GCC unroll 6
+  for (int c = 0; c < C; ++c) {
+    if (c == 5) return product * v[5][5];
+    F tail = v[c][c + 1] * v[c][c + 1];
+#pragma GCC unroll 6
+    for (int i = c + 2; i < 6; ++i) tail += v[c][i] * v[c][i];
+    const F x0 = v[c][c], size2 = tail + x0 * x0;
+    F norm = sqrt(size2);
+    norm = select(x0 > 0.0, norm, 0.0 - norm);
+    const F head = x0 + norm, size = norm * head;
+    scale[c] = select(size > kHouseholderZero, 1.0 / select(size > kHouseholderZero, size, F(1.0)), F(0.0));
+    v[c][c] = head;
+    product = product * norm;
+#pragma GCC unroll 6
+    for (int d = c + 1; d < C; ++d) {
+      F w = v[c][c] * v[d][c];
+#pragma GCC unroll 6
+      for (int i = c + 1; i < 6; ++i) w += v[c][i] * v[d][i];
+      w = w * scale[c];
+#pragma GCC unroll 6
+      for (int i = c; i < 6; ++i) v[d][i] -= w * v[c][i];
     }
-  F product = triangulate(front, 3);
-  product = product * triangulate(back, 3);
-  for (int r = 0; r < 3; ++r)
-    for (int j = 0; j < 6; ++j) {
-      six[r][j] = front[3 + r][3 + j];     // B', C': times y^2, y once the y^3 column is gone
-      six[3 + r][j] = back[3 + r][3 + j];  // A', B'
-    }
+  }
   return product;
+}
+template <class F, int C> PIEPER_INLINE void reflect_all(const F (&v)[C][6], const F (&scale)[C], F (&x)[6]) {
+#pragma GCC unroll 6
+  for (int c = 0; c < C; ++c) {
+    F w = v[c][c] * x[c];
+#pragma GCC unroll 6
+    for (int i = c + 1; i < 6; ++i) w += v[c][i] * x[i];
+    w = w * scale[c];
+#pragma GCC unroll 6
+    for (int i = c; i < 6; ++i) x[i] -= w * v[c][i];
+  }
+}
+
+// Six by six core of the twelve by twelve matrix [0 A B C; A B C 0], by columns: the columns y^3 and 1 eliminated by orthogonal
+// reflections. Unknowns left: y^2, y times x^2, x, 1. Returns the product of the eliminated pivots.
+template <class F> PIEPER_INLINE F core_columns(const F (*e)[9], F (&six)[6][6]) {
+  F product = 1.0;
+#pragma GCC unroll 2
+  for (int half = 0; half < 2; ++half) {
+    F v[3][6], scale[3];
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 6
+      for (int r = 0; r < 6; ++r) v[c][r] = e[r][half ? 6 + c : c];
+    product = product * reflections<F, 3>(v, scale);
+    // B', C': times y^2, y once the y^3 column is gone; then A', B'
+#pragma GCC unroll 6
+    for (int j = 0; j < 6; ++j) {
+      F x[6];
+#pragma GCC unroll 6
+      for (int r = 0; r < 6; ++r) x[r] = e[r][half ? j : 3 + j];
+      reflect_all<F, 3>(v, scale, x);
+#pragma GCC unroll 3
+      for (int r = 0; r < 3; ++r) six[j][3 * half + r] = x[3 + r];
+    }
+  }
+  return product;
+}
+template <class F> void core(const F (*e)[9], F (&six)[6][6]) {
+  F column[6][6];
+  core_columns(e, column);
+  for (int r = 0; r < 6; ++r)
+    for (int j = 0; j < 6; ++j) six[r][j] = column[j][r];
 }
 
 template <class F, int N> F determinant(const Equations<F>& eq, int layout, F c, F s) {
-  F e[6][9], six[6][6];
+  F e[6][9], six[6][6], scale[6];
   at_angle(eq, c, s, e);
   if constexpr (N == 12) {
-    const F pivots = core(e, six);
-    return pivots * triangulate(six, 6);
+    const F pivots = core_columns(e, six);
+    return pivots * reflections<F, 6>(six, scale);
   } else {
     arrange<F, 6>(e, layout, six);
-    return triangulate(six, 6);
+    return reflections<F, 6>(six, scale);  // of the transposed
   }
 }
 

@@ -6,6 +6,7 @@
 // and every solution that some other variant found, must be found. Scalar, but for the solver it tries.
 #pragma once
 
+#include "elimination/by_signs.hpp"
 #include "elimination/slides.hpp"
 
 namespace pieper::PIEPER_ISA::general {
@@ -220,6 +221,26 @@ inline void rate(const Model& model, SelfTest& test, int at) {
   test.score[at] = 1000.0 * trial.missed + 3 * noise + 0.5 * trial.open + (v.pose_free() ? 0 : 2) + (v.arm ? 100 : 0);
 }
 
+// Whether most test poses are settled by the signs of the best way's determinant, and none lacks a solution that any way found.
+inline bool signs_work(const Model& model, const SelfTest& test) {
+  using G = Lanes<PIEPER_LANES>;
+  constexpr int W = PIEPER_LANES;
+  const Variant& v = model.variant[0];
+  if (v.arm || !(v.noise < kGeneralQuiet)) return false;
+  int open = 0;
+  for (int g = 0; g < SelfTest::groups; ++g) {
+    RigidT<G> wide;
+    for (int i = 0; i < W; ++i) copy_lanes<G, double>(wide, i, test.pose[g * W + i], 0);
+    Found found[W];
+    const unsigned unclear = solve_by_signs(model, wide, W, found);
+    for (int i = 0; i < W; ++i) {
+      if ((unclear >> i) & 1u) ++open;
+      else if (found[i].count != test.known[g * W + i].count) return false;
+    }
+  }
+  return open < SelfTest::poses / 4;
+}
+
 // Fills model.variant, best first. `trials` (kTried) is told about every hand-out in the order shift, direction, swap.
 inline void choose_variants(Model& model, Trial* trials) {
   SelfTest& test = *static_cast<SelfTest*>(__builtin_malloc(sizeof(SelfTest)));
@@ -249,6 +270,7 @@ inline void choose_variants(Model& model, Trial* trials) {
     model.variant[model.variants++] = test.variant[best];
     test.trial[best].rank = model.variants;
   }
+  model.by_signs = model.variants > 0 && signs_work(model, test);
   for (int t = 0; t < kTried; ++t) {
     trials[t] = test.trial[t];
     if (trials[t].rank > model.variants) trials[t].rank = 0;

@@ -84,14 +84,14 @@ template <class F, class Family> void enter(const HiddenAngle& head, const typen
                      max(largest(end.z - x.tool.z), largest(end.t - x.tool.t)));
   unclear = unclear | !(miss <= 0.5 * kClosedVerified);
   const unsigned bits = bits_of(unclear);
+  F ordered[6];
+  for (int j = 0; j < 6; ++j) ordered[j] = value[head.backward ? 5 - j : j];
+  double rows[6 * width_of<F>];
+  store_records<F, 6>(rows, ordered, width_of<F>);
   for (int i = 0; i < used; ++i) {
     Found<Family::slots>& to = found[pose[i]];
-    if (((bits >> i) & 1u) || to.count == Family::slots) {
-      unclear_poses |= 1u << pose[i];
-      continue;
-    }
-    for (int j = 0; j < 6; ++j) to.q[to.count][j] = lane(value[head.backward ? 5 - j : j], i);
-    ++to.count;
+    if (((bits >> i) & 1u) || to.count == Family::slots) unclear_poses |= 1u << pose[i];
+    else __builtin_memcpy(to.q[to.count++], rows + 6 * i, sizeof(double[6]));
   }
 }
 
@@ -117,29 +117,17 @@ template <class F, class Family> unsigned solve_group(const HiddenAngle& head, c
     found[i].count = 0;
     found[i].edge = !(roots.away[i] > kHiddenEdge * lane(size, i));
   }
-  const trigonometric::Circle<2 * trigonometric::kSectors>& turn = trigonometric::circle<2 * trigonometric::kSectors>();
+  const auto& list = roots.list;
   for (int first = 0; first < roots.count; first += W) {
     const int lanes = roots.count - first < W ? roots.count - first : W;
     Candidates<F, Family> x;
     trigonometric::Series<F, D> own;
-    F centre_c, centre_s, low, high, start;
-    int of[W];
-    unsigned rising = 0;
-    for (int i = 0; i < W; ++i) {
-      const trigonometric::Bracket& b = roots.list[first + (i < lanes ? i : lanes - 1)];
-      of[i] = b.lane;
-      rising |= (b.rising ? 1u : 0u) << i;
-      set_lane(centre_c, i, turn.c[2 * b.sector + 1]);
-      set_lane(centre_s, i, turn.s[2 * b.sector + 1]);
-      set_lane(low, i, b.low);
-      set_lane(high, i, b.high);
-      set_lane(start, i, b.start);
-    }
+    const int* const of = list.lane + first;
     const LanePicker<W> pick(of);
     pick_lanes<F, F>(own, series, pick);
     pick_lanes<F, F>(x.target, target, pick);
     pick_lanes<F, F>(x.tool, tool, pick);
-    trigonometric::refine(own, centre_c, centre_s, low, high, start, mask_of_bits<F>(rising), x.root.c, x.root.s);
+    trigonometric::refine(own, list, first, x.root.c, x.root.s);
     x.side = F(Family::both ? 1.0 : 0.0);
     enter<F, Family>(head, arm, truth, x, of, lanes, found, unclear);
     if (!Family::both) continue;
@@ -233,10 +221,10 @@ template <class Family> void solve(const HiddenAngle& head, const typename Famil
         if (waiting.count == Waiting<M>::most) waiting.solve(head, q, valid, flag);
         continue;
       }
-      for (int m = 0; m < M; ++m) {
-        valid[M * at + m] = m < found[i].count;
-        for (int j = 0; j < 6; ++j) q[6 * M * at + 6 * m + j] = m < found[i].count ? found[i].q[m][j] : 0.0;
-      }
+      const int n = found[i].count;
+      __builtin_memcpy(q + 6 * M * at, found[i].q[0], sizeof(double[6]) * n);
+      __builtin_memset(q + 6 * (M * at + n), 0, sizeof(double[6]) * (M - n));
+      for (int m = 0; m < M; ++m) valid[M * at + m] = m < n;
       const int none = found[i].edge ? kOutOfReach | kEdge : kOutOfReach;
       flag[at] = doubt ? kDegenerate | kUncertain : found[i].count ? 0 : none;
     }

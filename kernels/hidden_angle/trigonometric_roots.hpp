@@ -7,7 +7,7 @@
 // handed back as not clear. Templates over the number type; only what is decided of each piece goes lane by lane.
 #pragma once
 
-#include "lanes/lanes.hpp"
+#include "lanes/batch.hpp"
 #include "tolerances.hpp"
 
 namespace pieper::PIEPER_ISA::trigonometric {
@@ -87,27 +87,49 @@ template <int D> inline const SectorBasis<D>& sector_basis() {
   return table;
 }
 
-template <class F, int D> struct Sectors {
-  F coefficient[kSectors][2 * D + 1];
-  F changes[kSectors];  // of sign
-  F least[kSectors];    // smallest coefficient, without sign
+// How the coefficients b[0..N-1] of a piece change sign.
+template <class F> struct Shape {
+  F changes;      // how often
+  F least, most;  // smallest and largest coefficient, without sign
+  // where the polygon of the coefficients crosses zero, in steps from one to the next; where it does not: a half
+  F first, last;
 };
 
-template <class F, int N> PIEPER_INLINE F sign_changes(const F (&b)[N]) {
-  F count = 0.0, before = select(b[0] < 0.0, F(1.0), F(0.0));
+template <class F, int N> PIEPER_INLINE Shape<F> shape_of(const F (&b)[N]) {
+  Shape<F> out;
+  out.changes = F(0.0);
+  out.least = out.most = abs(b[0]);
+  F before[2] = {F(1.0), F(1.0)}, after[2] = {F(-1.0), F(-1.0)}, step[2] = {F(0.0), F(0.0)};
+  Mask<F> changed[N];
+  Mask<F> below = b[0] < 0.0;
+#pragma GCC unroll 32
   for (int k = 1; k < N; ++k) {
-    const F now = select(b[k] < 0.0, F(1.0), F(0.0));
-    count += abs(now - before);
-    before = now;
+    const Mask<F> now = b[k] < 0.0;
+    changed[k] = differ(now, below);
+    below = now;
+    const F size = abs(b[k]);
+    out.least = min(out.least, size);
+    out.most = max(out.most, size);
+    out.changes = select(changed[k], out.changes + 1.0, out.changes);
+    before[1] = select(changed[k], b[k - 1], before[1]);
+    after[1] = select(changed[k], b[k], after[1]);
+    step[1] = select(changed[k], F(k - 1.0), step[1]);
   }
-  return count;
+#pragma GCC unroll 32
+  for (int k = N - 1; k > 0; --k) {
+    before[0] = select(changed[k], b[k - 1], before[0]);
+    after[0] = select(changed[k], b[k], after[0]);
+    step[0] = select(changed[k], F(k - 1.0), step[0]);
+  }
+  out.first = step[0] + before[0] / (before[0] - after[0]);
+  out.last = step[1] + before[1] / (before[1] - after[1]);
+  return out;
 }
 
-template <class F, int N> PIEPER_INLINE F smallest(const F (&b)[N]) {
-  F least = abs(b[0]);
-  for (int k = 1; k < N; ++k) least = min(least, abs(b[k]));
-  return least;
-}
+template <class F, int D> struct Sectors {
+  F coefficient[kSectors][2 * D + 1];
+  Shape<F> shape[kSectors];
+};
 
 template <class F, int D> void sectors_of(const Series<F, D>& p, Sectors<F, D>& out) {
   const SectorBasis<D>& basis = sector_basis<D>();
@@ -134,44 +156,36 @@ template <class F, int D> void sectors_of(const Series<F, D>& p, Sectors<F, D>& 
     if (i) coefficient[0] = out.coefficient[i - 1][2 * D];
     if (i + 1 == kSectors) coefficient[2 * D] = out.coefficient[0][0];
   }
-  for (int i = 0; i < kSectors; ++i) {
-    out.changes[i] = sign_changes(out.coefficient[i]);
-    out.least[i] = smallest(out.coefficient[i]);
+  for (int i = 0; i < kSectors; ++i) out.shape[i] = shape_of(out.coefficient[i]);
+}
+
+// Simple roots, each in one lane of the polynomials: e^{i theta} = e^{i centre} (1 + i u)^2 / (1 + u^2) with u between low and high.
+// Filled up to whole lanes with what repeats the last.
+template <int Most> struct Brackets {
+  int lane[Most];
+  double centre_c[Most], centre_s[Most], low[Most], high[Most];
+  double start[Most];   // where the polygon of Bernstein coefficients crosses zero
+  double rising[Most];  // 1 where the polynomial is negative at `low`, else 0
+
+  void copy(int to, int from) {
+    lane[to] = lane[from];
+    centre_c[to] = centre_c[from], centre_s[to] = centre_s[from];
+    low[to] = low[from], high[to] = high[from], start[to] = start[from], rising[to] = rising[from];
   }
-}
-
-// One simple root, in one lane of the polynomials: e^{i theta} = e^{i centre} (1 + i u)^2 / (1 + u^2) with u between low and high.
-struct Bracket {
-  int lane, sector;
-  double low, high, start;  // start: where the polygon of Bernstein coefficients crosses zero
-  bool rising;              // whether the polynomial is negative at `low`
 };
-
-// The same for one whose coefficients b change sign once between low and high.
-template <int N> inline Bracket bracket_of(int of_lane, int sector, const double* b, double low, double high) {
-  const bool rising = b[0] < 0;
-  int k = 1;
-  while (k < N - 1 && (b[k] < 0) == rising) ++k;
-  const double at = k - 1 + b[k - 1] / (b[k - 1] - b[k]);
-  return {of_lane, sector, low, high, low + (high - low) * at / (N - 1), rising};
-}
 
 // A piece of a sector whose coefficients b change sign more than once; from low to high in units of the sector's edge.
 template <int N> struct Cell {
   double b[N], low, high;
   double part;  // where to part it, between 0 and 1
+  double most;  // largest coefficient of the sector, without sign
   int lane, sector;
 };
 
 // Halfway between the first and the last place where the polygon of the coefficients crosses zero: two roots lie on either side, and
 // where there is none the polynomial is nearest to zero about here.
-template <int N> inline double parting(const double* b) {
-  int first = 1, last = N - 1;
-  while ((b[first] < 0) == (b[0] < 0)) ++first;
-  while ((b[last - 1] < 0) == (b[N - 1] < 0)) --last;
-  const auto crossing = [&](int k) { return k - 1 + b[k - 1] / (b[k - 1] - b[k]); };
-  const double at = 0.5 / (N - 1) * (crossing(first) + crossing(last));
-  return at < 0.15 ? 0.15 : at > 0.85 ? 0.85 : at;
+template <int N, class F> PIEPER_INLINE F parting(const Shape<F>& shape) {
+  return min(max(0.5 / (N - 1) * (shape.first + shape.last), F(0.15)), F(0.85));
 }
 
 // Isolates the roots of W polynomials: `used` of the lanes are asked for.
@@ -179,35 +193,51 @@ template <class F, int D> class Isolation {
  public:
   static constexpr int N = 2 * D + 1, W = width_of<F>, kMost = 2 * D;
 
-  Bracket list[W * kMost];
+  Brackets<W * kMost + PIEPER_LANES> list;
   int count = 0;
   unsigned unclear = 0;  // lanes where a coefficient that decides lies below `noise`, or roots do not part
-  double away[W];        // where there is no root a lane's polynomial is no nearer to zero
+  double away[W];        // where there is no root a lane's polynomial is no nearer to zero,
+  double apart[W];       // nor nearer than this part of its largest coefficient on the same sector
 
-  Isolation(const Sectors<F, D>& sectors, F noise, unsigned wanted, int used) : noise_(noise) {
-    int begun = 0;
-    for (int i = 0; i < used; ++i) {
-      away[i] = __builtin_inf();
-      if (!((wanted >> i) & 1u)) continue;
-      for (int k = 0; k < kSectors && !lost(i); ++k) {
-        const int changes = static_cast<int>(lane(sectors.changes[k], i));
-        if (decided(i, changes, lane(sectors.least[k], i))) continue;
+  Isolation(const Sectors<F, D>& sectors, F noise, unsigned wanted, int used)
+      : noise_(noise), away_(__builtin_inf()), apart_(1.0) {
+    wanted &= (1u << used) - 1u;
+    for (int k = 0; k < kSectors; ++k) {
+      const Shape<F>& shape = sectors.shape[k];
+      const Open open = open_of(shape);
+      unclear |= open.lost & wanted;
+      const unsigned once = open.once & wanted & ~unclear;
+      if (once) {
+        double first[W];
+        store(first, shape.first);
+        const unsigned rising = bits_of(sectors.coefficient[k][0] < 0.0);
+        for (unsigned left = once; left; left &= left - 1) {
+          const int i = __builtin_ctz(left);
+          enter(i, k, -1, 1, first[i], (rising >> i) & 1u);
+        }
+      }
+      const unsigned more = open.more & wanted & ~unclear;
+      if (!more) continue;
+      double at[W], most[W];
+      store(at, parting<N>(shape)), store(most, shape.most);
+      for (unsigned left = more; left; left &= left - 1) {
+        const int i = __builtin_ctz(left);
         Cell<N>& cell = stack_[waiting_];
         for (int j = 0; j < N; ++j) cell.b[j] = lane(sectors.coefficient[k][j], i);
-        if (changes == 1) {
-          enter(i, k, cell.b, -1, 1);
-          continue;
-        }
-        cell.low = -1, cell.high = 1, cell.part = parting<N>(cell.b), cell.lane = i, cell.sector = k;
+        cell.low = -1, cell.high = 1, cell.part = at[i], cell.most = most[i], cell.lane = i, cell.sector = k;
         // what is parted makes room for two
         if (++waiting_ == kRoom - W) part();
       }
     }
     while (waiting_) part();
-    int kept = 0;
-    for (int k = begun; k < count; ++k)
-      if (!lost(list[k].lane)) list[kept++] = list[k];
-    count = kept;
+    store(away, away_), store(apart, apart_);
+    if (unclear) {
+      int kept = 0;
+      for (int k = 0; k < count; ++k)
+        if (!lost(list.lane[k])) list.copy(kept++, k);
+      count = kept;
+    }
+    for (int k = count; count && k % PIEPER_LANES; ++k) list.copy(k, count - 1);
   }
 
  private:
@@ -215,83 +245,122 @@ template <class F, int D> class Isolation {
 
   bool lost(int i) const { return (unclear >> i) & 1u; }
 
-  // Whether nothing is left to do where coefficients change sign so often, the smallest of them being `least`.
-  bool decided(int i, int changes, double least) {
-    if (changes < 2 && least < lane(noise_, i)) unclear |= 1u << i;
-    else if (changes == 0) away[i] = least < away[i] ? least : away[i];
-    else return false;
-    return true;
+  struct Open {
+    unsigned lost, once, more;  // lanes of a piece that are not clear, and with one or more changes of sign
+  };
+  Open open_of(const Shape<F>& shape) {
+    const auto few = shape.changes < 2.0, none = shape.changes == 0.0;
+    away_ = select(none, min(away_, shape.least), away_);
+    apart_ = select(none & (shape.least < apart_ * shape.most), shape.least / max(shape.most, F(kTiny)), apart_);
+    return {bits_of(few & (shape.least < noise_)), bits_of(shape.changes == 1.0), bits_of(!few)};
   }
 
-  void enter(int i, int sector, const double* b, double low, double high) {
+  void enter(int i, int sector, double low, double high, double first, bool rising) {
     static const double reach = __builtin_tan(0.78539816339744830962 * 2 / kSectors);  // of u at a sector's edge
-    if (found_[i]++ == kMost) unclear |= 1u << i;
-    else list[count++] = bracket_of<N>(i, sector, b, low * reach, high * reach);
+    static const Circle<2 * kSectors>& turn = circle<2 * kSectors>();
+    if (found_[i]++ == kMost) return void(unclear |= 1u << i);
+    list.lane[count] = i;
+    list.centre_c[count] = turn.c[2 * sector + 1];
+    list.centre_s[count] = turn.s[2 * sector + 1];
+    list.low[count] = low * reach;
+    list.high[count] = high * reach;
+    list.start[count] = reach * (low + (high - low) * first / (N - 1));
+    list.rising[count] = rising;
+    ++count;
   }
 
   // Takes up to W pieces off the stack and puts back what is not decided of their halves.
   void part() {
     const int taken = waiting_ < W ? waiting_ : W;
     Cell<N>* const top = stack_ + (waiting_ - taken);
-    double halves[2][N][W];
     const Cell<N>* from[W];
     Place place[W];
+    unsigned narrow = 0;
     for (int i = 0; i < W; ++i) {
       from[i] = top + (i < taken ? i : 0);
-      place[i] = {from[i]->low, from[i]->high, from[i]->part, from[i]->lane, from[i]->sector};
+      place[i] = {from[i]->low, from[i]->high, from[i]->part, from[i]->most, from[i]->lane, from[i]->sector};
+      if (place[i].high - place[i].low < 2 * kNarrowest) narrow |= 1u << i;
     }
+    constexpr int whole = W > 1 ? N - N % W : 0;
     F b[N], left[N], at;
     for (int i = 0; i < W; ++i) set_lane(at, i, place[i].part);
-    for (int j = 0; j < N; ++j) {
-      F row;
-      for (int i = 0; i < W; ++i) set_lane(row, i, from[i]->b[j]);
-      b[j] = row;
+    for (int block = 0; block < whole; block += W) {
+      for (int i = 0; i < W; ++i) b[block + i] = load<F>(from[i]->b + block);
+      transpose(b + block);
     }
+    for (int j = whole; j < N; ++j)
+      for (int i = 0; i < W; ++i) set_lane(b[j], i, from[i]->b[j]);
+#pragma GCC unroll 32
     for (int k = 0; k < N; ++k) {  // de Casteljau: what is left in b is the right part
       left[k] = b[0];
       for (int j = 0; j + k + 1 < N; ++j) b[j] = b[j] + at * (b[j + 1] - b[j]);
     }
-    F changes[2] = {sign_changes(left), sign_changes(b)}, least[2] = {smallest(left), smallest(b)};
-    for (int j = 0; j < N; ++j) store(halves[0][j], left[j]), store(halves[1][j], b[j]);
     waiting_ -= taken;
-    for (int i = 0; i < taken; ++i) {
-      const Place& of = place[i];
-      if (lost(of.lane)) continue;
-      if (of.high - of.low < 2 * kNarrowest) {
-        unclear |= 1u << of.lane;
-        continue;
+    const unsigned all = (1u << taken) - 1u;
+    for (unsigned rest = narrow & all; rest; rest &= rest - 1) unclear |= 1u << place[__builtin_ctz(rest)].lane;
+    for (int half = 0; half < 2; ++half) {
+      F(&c)[N] = half ? b : left;
+      const Shape<F> shape = shape_of(c);
+      const auto few = shape.changes < 2.0;
+      const unsigned not_clear = bits_of(few & (shape.least < lanes_of(noise_, place))) & all & ~narrow;
+      for (unsigned rest = not_clear; rest; rest &= rest - 1) unclear |= 1u << place[__builtin_ctz(rest)].lane;
+      const unsigned none = bits_of(shape.changes == 0.0) & all, once = bits_of(shape.changes == 1.0) & all & ~narrow;
+      const unsigned more = bits_of(!few) & all & ~narrow, rising = bits_of(c[0] < 0.0);
+      double least[W], first[W], next[W], cut[W];
+      store(least, shape.least), store(first, shape.first), store(next, parting<N>(shape)), store(cut, at);
+      for (unsigned rest = none; rest; rest &= rest - 1) {
+        const int i = __builtin_ctz(rest), of = place[i].lane;
+        if (least[i] < lane(away_, of)) set_lane(away_, of, least[i]);
+        if (least[i] < lane(apart_, of) * place[i].most) set_lane(apart_, of, least[i] / place[i].most);
       }
-      const double middle = of.low + of.part * (of.high - of.low);
-      for (int half = 0; half < 2 && !lost(of.lane); ++half) {
-        const int signs = static_cast<int>(lane(changes[half], i));
-        if (decided(of.lane, signs, lane(least[half], i))) continue;
-        Cell<N>& cell = stack_[waiting_];
-        for (int j = 0; j < N; ++j) cell.b[j] = halves[half][j][i];
-        cell.low = half ? middle : of.low, cell.high = half ? of.high : middle;
-        cell.lane = of.lane, cell.sector = of.sector;
-        if (signs == 1) {
-          enter(of.lane, of.sector, cell.b, cell.low, cell.high);
-          continue;
-        }
-        cell.part = parting<N>(cell.b);
-        ++waiting_;
+      const auto ends = [&](int i, double& low, double& high) {
+        const double between = place[i].low + cut[i] * (place[i].high - place[i].low);
+        low = half ? between : place[i].low, high = half ? place[i].high : between;
+      };
+      for (unsigned rest = once; rest; rest &= rest - 1) {
+        const int i = __builtin_ctz(rest);
+        double low, high;
+        ends(i, low, high);
+        if (!lost(place[i].lane)) enter(place[i].lane, place[i].sector, low, high, first[i], (rising >> i) & 1u);
+      }
+      if (!more) continue;
+      double record[N * W];
+      store_records<F, N>(record, c, W);
+      for (unsigned rest = more; rest; rest &= rest - 1) {
+        const int i = __builtin_ctz(rest);
+        if (lost(place[i].lane)) continue;
+        Cell<N>& cell = stack_[waiting_++];
+        __builtin_memcpy(cell.b, record + N * i, sizeof cell.b);
+        ends(i, cell.low, cell.high);
+        cell.part = next[i], cell.most = place[i].most;
+        cell.lane = place[i].lane, cell.sector = place[i].sector;
       }
     }
   }
 
   struct Place {
-    double low, high, part;
+    double low, high, part, most;
     int lane, sector;
   };
 
+  PIEPER_INLINE F lanes_of(F x, const Place (&place)[W]) const {
+    F out = x;
+    for (int i = 0; i < W; ++i) set_lane(out, i, lane(x, place[i].lane));
+    return out;
+  }
+
   const F noise_;
+  F away_, apart_;
   int found_[W] = {}, waiting_ = 0;
   Cell<N> stack_[kRoom];
 };
 
-// Newton's method kept inside the brackets: the roots as cosine and sine. p: of each root's own polynomial.
-template <class F, int D>
-void refine(const Series<F, D>& p, F centre_c, F centre_s, F low, F high, F u, Mask<F> rising, F& c, F& s) {
+// Newton's method kept inside W brackets from `first` on: the roots as cosine and sine. p: of each root's own polynomial.
+template <class F, int D, int Most>
+void refine(const Series<F, D>& p, const Brackets<Most>& list, int first, F& c, F& s) {
+  const F centre_c = load<F>(list.centre_c + first), centre_s = load<F>(list.centre_s + first);
+  F low = load<F>(list.low + first), high = load<F>(list.high + first), u = load<F>(list.start + first);
+  const auto rising = load<F>(list.rising + first) > 0.5;
   auto done = mask_of<F>(false);
   for (int step = 0; step < 40; ++step) {
     const F over = 1.0 / (1.0 + u * u), x = (1.0 - u * u) * over, y = 2.0 * u * over;

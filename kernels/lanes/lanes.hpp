@@ -124,6 +124,10 @@ template <int W> PIEPER_INLINE LaneMask<W> operator&(LaneMask<W> a, LaneMask<W> 
 template <int W> PIEPER_INLINE LaneMask<W> operator|(LaneMask<W> a, LaneMask<W> b) {
   return {static_cast<decltype(a.bits)>(a.bits | b.bits)};
 }
+PIEPER_INLINE bool differ(bool a, bool b) { return a != b; }
+template <int W> PIEPER_INLINE LaneMask<W> differ(LaneMask<W> a, LaneMask<W> b) {
+  return {static_cast<decltype(a.bits)>(a.bits ^ b.bits)};
+}
 template <int W> PIEPER_INLINE LaneMask<W> operator!(LaneMask<W> a) { return {static_cast<decltype(a.bits)>(~a.bits)}; }
 
 // ---- select, any, all ---------------------------------------------------------------------------------------------

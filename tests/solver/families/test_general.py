@@ -205,6 +205,29 @@ def test_both_of_two_close_solutions_survive_next_to_a_singular_posture():
     assert nearest(chain, q, valid, made).max() < 1e-6
 
 
+@pytest.mark.parametrize("name", ["random", "UR5e + 1e-3", "UR5e"])
+def test_poses_that_wait_for_the_eigenvalues_come_back_to_their_places(name):
+    """Those the signs of the determinant leave in doubt: roots that merge or have just gone, round postures."""
+    chain, rng = ARMS[name], np.random.default_rng(11)
+    made = draw(chain, rng, 150)
+    made[::3] = np.round(made[::3] / (np.pi / 4)) * (np.pi / 4) + 10.0 ** rng.uniform(-6, -2, (50, 1))
+    T = fk(chain, made)
+    T[1::3, :3, 3] *= rng.uniform(1, 3, (50, 1))  # some out of reach
+    solver = solver_of(chain)
+    q, valid, _, flag = solver.many(T, 1)
+    order = rng.permutation(len(T))
+    again = solver.many(np.ascontiguousarray(T[order]), 1)
+    assert (again[1] == valid[order]).all()
+    assert (again[3] == flag[order]).all()
+    assert np.abs(again[0] - q[order]).max() < 1e-9
+    for i in range(0, len(T), 5):
+        alone = solver.many(T[i : i + 1], 1)
+        assert (alone[1][0] == valid[i]).all()
+        assert alone[3][0] == flag[i]
+        assert np.abs(alone[0][0] - q[i]).max() < 1e-9
+    assert (0 < valid.any(1).mean() < 1) or name != "random"
+
+
 def det(chain: Chain, q: np.ndarray) -> float:
     from pieper.kinematics.forward import jacobian
 

@@ -6,6 +6,12 @@ DESCENT_DAMPING = 1e-3
 DESCENT_LEAST_DAMPING = 1e-14
 #: and at most: there a row rests.
 DESCENT_MOST_DAMPING = 1e4
+#: its factors where a step helped,
+DESCENT_SHRINK = 0.1
+#: and where not.
+DESCENT_GROW = 8.0
+#: Longest step (rad; lengths).
+DESCENT_LONGEST = 0.8
 #: A shorter step is none.
 DESCENT_SETTLED = 1e-9
 #: Eigenvalues are kept above this part of the largest.

@@ -40,6 +40,11 @@ GENERAL_ONE_ROOT = 1e-5
 #: where the singular value is below this: twins of a fold stand farther apart than polishing resolves above it, and one
 #: solution met from two such eigenvalues has kept another from being found.
 GENERAL_MERGED = 2e-6
+#: What rounding leaves of the determinant where its signs are counted, relative to the sum of its coefficients.
+SIGN_NOISE = 1e-13
+#: Without roots it must stay farther from zero than this part of its largest coefficient on the same sixteenth of the
+#: circle: a pair of roots 2e-3 from the real line, which poses beside may bring onto it, comes nearer.
+SIGN_APART = 1e-3
 #: A way of elimination noisier than this on test poses is of no use.
 GENERAL_NOISIEST = 1e-6
 #: Noise below this is as good as none.
