@@ -7,12 +7,10 @@ import numpy as np
 from pieper.calibration.model import AxesModel
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
-from pieper.tolerances import ANOTHER_ANGLE, ANOTHER_SIZE, ONE_UNIT
+from pieper.tolerances import A_POINT, ANOTHER_ANGLE, ANOTHER_SIZE, ONE_UNIT
 
 #: Units that lengths may be in, and how many of them a metre is.
 UNITS = {"decimetres": 10.0, "centimetres": 100.0, "inches": 1 / 0.0254, "feet": 1 / 0.3048, "millimetres": 1000.0}
-#: What is this much smaller is said as a point.
-A_POINT = 1e-3
 
 
 def refuse_another_arm(nominal: AxesModel, fitted: AxesModel, q: Array) -> None:

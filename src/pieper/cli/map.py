@@ -25,9 +25,7 @@ from pieper.cli.output import say, short
 from pieper.cli.status import DONE
 from pieper.cli.stopping import told
 from pieper.cli.units import Units
-from pieper.maps.store import finished_tiles
 from pieper.tolerances import RELATIVE_ROUNDING, SUSPICIOUSLY_SMALL
-from pieper.words_by_number import plural
 
 
 class _Progress:
@@ -187,5 +185,6 @@ def _what_is_kept(out: str) -> str:
     """Return what an interrupted map leaves behind."""
     if not out:
         return "interrupted; nothing of the map is kept. With --out DIR the same command goes on where it was."
-    tiles = plural(finished_tiles(Path(out)), "finished tile")
+    done = sum(1 for _ in Path(out).glob("tile_*.sha256"))
+    tiles = f"{done} finished tile{'' if done == 1 else 's'}"
     return f"interrupted; {tiles} in {out}: the same command goes on there."

@@ -163,11 +163,6 @@ class Store:
         return self.folder / f"tile_{number:06d}.sha256"
 
 
-def finished_tiles(folder: Path) -> int:
-    """Return how many tiles a folder has that were written whole."""
-    return sum(1 for _ in folder.glob("tile_*.sha256"))
-
-
 def refuse_too_much(voxels: int, turns: int, *, measure: bool, stored: bool) -> None:
     """Refuse a map of so many voxels and orientations that it would fill the machine, before any of it is made.
 
