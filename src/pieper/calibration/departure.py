@@ -9,8 +9,8 @@ from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.tolerances import A_POINT, ANOTHER_ANGLE, ANOTHER_SIZE, ONE_UNIT
 
-#: Units that lengths may be in, and how many of them a metre is.
-UNITS = {"decimetres": 10.0, "centimetres": 100.0, "inches": 1 / 0.0254, "feet": 1 / 0.3048, "millimetres": 1000.0}
+#: Units that lengths may be in beside those recognised before a fit (`units_of`), and how many of them a metre is.
+UNITS = {"decimetres": 10.0, "feet": 1 / 0.3048}
 
 
 def refuse_another_arm(nominal: AxesModel, fitted: AxesModel, q: Array) -> None:
