@@ -332,13 +332,8 @@ def test_directions_that_are_not_seen_are_said_in_the_base_frame():
 def test_an_arm_of_another_size_is_refused_with_the_unit(name, unit, many):
     arm, q, Y, _ = case(name)
     for kind, data in (("pose", scaled(Y, many)), ("position", many * Y[:, :3, 3])):
-        with pytest.raises(pieper.InputError, match=unit) as caught:
+        with pytest.raises(pieper.InputError, match=unit):
             arm.calibrate(q, data, kind=kind, sigma=NOISE)
-        # a unit that data are read in is recognised by them, others by the arm that would explain them
-        if "larger" in caught.value.data:
-            assert caught.value.unit == unit and abs(caught.value.larger / many - 1) < 0.05
-        else:
-            assert caught.value.left < 0.01 and caught.value.unit in ("cm", "in")
 
 
 def test_postures_that_never_touched_the_plane_do_not_shrink_the_arm_to_a_point():

@@ -25,10 +25,10 @@ EXPLAINS_NOTHING = 0.3
 #: A fitted arm this many times as large or as small as the nominal one, by the spread of its tool's places, is another
 #: arm: arms as built are within a hundredth.
 ANOTHER_SIZE = 1.5
-#: A fitted arm smaller than this part of the nominal one is called a point.
-SAID_AS_A_POINT = 1e-3
 #: The same of the angle between neighbouring axes (rad): built ones are within half a degree.
 ANOTHER_ANGLE = 0.25
+#: What is so many times smaller than the nominal arm is said to be a point.
+A_POINT = 1e-3
 #: A size this near a whole unit's, relative, is that unit's.
 ONE_UNIT = 0.05
 #: The noise (m, rad) that a fit begins with where none is said.
