@@ -149,7 +149,7 @@ def clearance(rounds: int) -> None:
     rng = np.random.default_rng(1)
     for name, ((centre, radius), *_) in RINGS.items():
         arm = torch_arm(name)
-        model = arm._collision_model(None)
+        model = arm.collision_model(None)
         low, high = np.clip(arm.limits, -np.pi, np.pi).T
         q = rng.uniform(low, high, (4000, 6))
         exact = model.exact

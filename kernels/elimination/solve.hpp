@@ -28,10 +28,11 @@ inline bool nearer_than(double apart, const double* a, const double* b, const bo
 
 // Index of the solution in the set, added when new.
 inline int insert(Found& set, const double* q, double sigma, double residual, const bool* prismatic) {
-  // what polish can resolve: rounding over the smallest singular value
+  // what polish can resolve, and what it left: over the smallest singular value
   for (int i = 0; i < set.count; ++i) {
     const double smaller = sigma < set.sigma[i] ? sigma : set.sigma[i];
-    double same = kGeneralResolved / (smaller > kGeneralLeastSigma ? smaller : kGeneralLeastSigma);
+    double same =
+        (kGeneralResolved + residual + set.residual[i]) / (smaller > kGeneralLeastSigma ? smaller : kGeneralLeastSigma);
     same = same > kGeneralSameMost ? kGeneralSameMost : same < kGeneralSame ? kGeneralSame : same;
     if (nearer_than(same, set.q[i], q, prismatic)) {
       if (residual < set.residual[i]) {

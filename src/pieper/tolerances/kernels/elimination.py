@@ -6,7 +6,7 @@ GENERAL_VERIFIED = 1e-11
 GENERAL_SAME = 1e-7
 #: near a singular pose those closer than rounding over sigma, at most this.
 GENERAL_SAME_MOST = 4e-7
-#: The rounding that is meant there.
+#: The rounding that is meant there, beside what a polished row still misses by.
 GENERAL_RESOLVED = 3e-15
 #: Singular values are not told apart below this.
 GENERAL_LEAST_SIGMA = 1e-12
