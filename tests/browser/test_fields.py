@@ -164,6 +164,7 @@ def test_a_blank_table_opens_at_a_metre_and_scrolls_are_kept_a_tab(people):
     (_, top), (_, foot) = (bench.value(f"workbench.toScreen([0, 0, {z}])") for z in (1, 0))
     assert 100 < foot - top < 450, "a metre is most of the picture"
     bench.button("Undo")
+    bench.settle()
     panels = bench.page.locator("#panels")
     panels.evaluate("e => { e.scrollTop = 120; }")
     bench.tab("Move")

@@ -7,7 +7,7 @@ import numpy as np
 from pieper.calibration.model import AxesModel
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
-from pieper.tolerances import A_POINT, ANOTHER_ANGLE, ANOTHER_SIZE, ONE_UNIT
+from pieper.tolerances import ANOTHER_ANGLE, ANOTHER_SIZE, ONE_UNIT, SAID_AS_A_POINT
 
 #: Units that lengths may be in beside those recognised before a fit (`units_of`), and how many of them a metre is.
 UNITS = {"decimetres": 10.0, "feet": 1 / 0.3048}
@@ -36,7 +36,7 @@ def refuse_another_arm(nominal: AxesModel, fitted: AxesModel, q: Array) -> None:
             else "Give lengths in metres, and the joints at which each was measured; of a plane, heights of a tool "
             "that really moved along it."
         )
-        size = f"{larger:.3g} times as large as the nominal one" if larger > A_POINT else "shrunk to a point"
+        size = f"{larger:.3g} times as large as the nominal one" if larger > SAID_AS_A_POINT else "shrunk to a point"
         raise InputError(
             f"only an arm {size} explains the data. {cure}",
             larger=larger,

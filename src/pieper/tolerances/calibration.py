@@ -28,7 +28,7 @@ ANOTHER_SIZE = 1.5
 #: The same of the angle between neighbouring axes (rad): built ones are within half a degree.
 ANOTHER_ANGLE = 0.25
 #: What is so many times smaller than the nominal arm is said to be a point.
-A_POINT = 1e-3
+SAID_AS_A_POINT = 1e-3
 #: A size this near a whole unit's, relative, is that unit's.
 ONE_UNIT = 0.05
 #: The noise (m, rad) that a fit begins with where none is said.

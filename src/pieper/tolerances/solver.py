@@ -188,7 +188,7 @@ CROSSING_FOUND = 1e-5
 #: A pose that descents inside the limits leave farther away (per length; rad) is not searched for small self-motions.
 NEAR_INSIDE = 3e-2
 #: Positions that miss the first axis by less, of how far they are along it, lie on it: a few last digits.
-ON_FIRST_AXIS = 1e-14
+ALONG_FIRST_AXIS = 1e-14
 #: Poses farther away than so many of the arm's lengths are solved with their distance as its length.
 FAR_OUT = 1e3
 #: A pose is out of reach for certain where it is this part farther away than the links laid end to end.

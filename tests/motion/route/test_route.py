@@ -310,9 +310,13 @@ def test_a_clearance_that_nothing_keeps_is_told_with_place_and_pair():
     U[:3, 3] += [-0.1, 0.25, -0.05]
     far = pieper.Scene([pieper.Box([5, 5, 5], [0.1, 0.1, 0.1])])
     route = arm.route(pieper.line(T, U, 4), free=FREE, scene=far, clearance=0.05)
-    assert route.verdict is pieper.Verdict.UNCERTAIN
+    assert route.verdict is pieper.Verdict.IMPOSSIBLE
     # the arm's own bodies: no obstacle is near
-    assert "keeps 50 mm: at best wrist" in route.reason and "mm apart" in route.reason
+    assert "keeps 50 mm: of those on an even grid the best has wrist" in route.blocked.why
+    assert "mm apart" in route.blocked.why
+    pose = pieper.line(T, U, 4)[round(3 * route.blocked.s[0])]
+    _, q = arm.ik_many(FREE.turned(pose, np.linspace(-np.pi, np.pi, 1440))).rows()
+    assert len(q) and (np.asarray(arm.distance(q, far)) < 0.05).all()
 
 
 def test_that_no_change_lets_a_route_through_is_told_too():

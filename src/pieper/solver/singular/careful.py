@@ -19,12 +19,12 @@ from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_step
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import (
+    ALONG_FIRST_AXIS,
     APPROACH_DAMPING,
     CAREFUL_ASIDE,
     CLEARLY_REGULAR,
     HOLDS_EXACTLY,
     NEARLY_ZERO,
-    ON_FIRST_AXIS,
     PLAIN_MISS,
     PRECISE_RANK,
     SAME_AFTER_CUT,
@@ -383,4 +383,4 @@ def _on_first_axis(plan: Plan, poses: Array) -> Bools:
     point, axis = chain.points[0], chain.axes[0]
     away = poses[:, :3, 3] - point
     across = np.linalg.norm(np.cross(away, axis), axis=1)
-    return across <= ON_FIRST_AXIS * (np.linalg.norm(away, axis=1) + np.linalg.norm(point))
+    return across <= ALONG_FIRST_AXIS * (np.linalg.norm(away, axis=1) + np.linalg.norm(point))
