@@ -91,7 +91,7 @@ template <class F, int N> unsigned solve_by_signs(const Model& model, const Rigi
   unsigned nowhere = 0;  // without roots, and not clearly so
   for (int i = 0; i < used; ++i) {
     found[i].count = 0;
-    nowhere |= (roots.apart[i] > kSignApart ? 0u : 1u) << i;
+    if (!(roots.apart[i] > kSignApart)) nowhere |= 1u << i;
   }
   for (int k = 0; k < roots.count; ++k) nowhere &= ~(1u << roots.list.lane[k]);
   unclear |= nowhere;
