@@ -141,7 +141,7 @@ class AlongPaths(AtScale):
         return own, with_turn_limits(make_plan(chain.uncoupled, axes, task="position+axis"), free)
 
     def _keep(self, clearance: float, singularity: float, scene: Scene | None) -> Keep:
-        from pieper.collision import within
+        from pieper.collision import levers
         from pieper.collision.scene import Scene
         from pieper.motion.route.keep import Keep, checked_number
 
@@ -166,6 +166,6 @@ class AlongPaths(AtScale):
             return " and ".join(self.distance(q, scene).pair)
 
         def at_most(q: Array, radius: Array) -> Array:
-            return within.at_most(self.collision_model(scene), q, radius)
+            return levers.at_most(self.collision_model(scene), q, radius)
 
         return Keep(ratio, room, away, is_clear, nearest, at_most)

@@ -71,30 +71,22 @@ inline void flatter_first(Separable& flat, Separable& bent) {
   flat = bent, bent = swap;
 }
 
-// Height and squared distance from the z axis of w(a) - u(c), as a pair of separable equations.
-struct AxisEquations {
+// What the middle joint cannot change of w(a) - u(c), as a pair of separable equations: the height and how far from the z axis where it
+// turns, the two coordinates across the z axis where it slides.
+struct BesideMiddle {
   const Swing &w, &u;
-  bool slides_a, slides_c;
+  const bool* slides;
   void operator()(double a, double c, Separable& flat, Separable& bent) const {
-    Vec3 p = swing_at(w, a, slides_a), r = swing_at(u, c, slides_c), dp, ddp, dr, ddr;
-    swing_slopes(w, a, slides_a, dp, ddp);
-    swing_slopes(u, c, slides_c, dr, ddr);
-    flat = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
-    bent = aside_of_z(p, dp, ddp, r, dr, ddr);
-    flatter_first(flat, bent);
-  }
-};
-
-// The same where the middle joint slides: what it cannot change are the two coordinates across it.
-struct AcrossEquations {
-  const Swing &w, &u;
-  bool slides_a, slides_c;
-  void operator()(double a, double c, Separable& flat, Separable& bent) const {
-    Vec3 p = swing_at(w, a, slides_a), r = swing_at(u, c, slides_c), dp, ddp, dr, ddr;
-    swing_slopes(w, a, slides_a, dp, ddp);
-    swing_slopes(u, c, slides_c, dr, ddr);
-    flat = {p.x - r.x, dp.x, -dr.x, ddp.x, -ddr.x};
-    bent = {p.y - r.y, dp.y, -dr.y, ddp.y, -ddr.y};
+    Vec3 p = swing_at(w, a, slides[0]), r = swing_at(u, c, slides[2]), dp, ddp, dr, ddr;
+    swing_slopes(w, a, slides[0], dp, ddp);
+    swing_slopes(u, c, slides[2], dr, ddr);
+    if (slides[1]) {
+      flat = {p.x - r.x, dp.x, -dr.x, ddp.x, -ddr.x};
+      bent = {p.y - r.y, dp.y, -dr.y, ddp.y, -ddr.y};
+    } else {
+      flat = {p.z - r.z, dp.z, -dr.z, ddp.z, -ddr.z};
+      bent = aside_of_z(p, dp, ddp, r, dr, ddr);
+    }
     flatter_first(flat, bent);
   }
 };
@@ -162,12 +154,10 @@ inline void solve_position(const Rigid& A, const Rigid& B, Vec3 c, Vec3 g, const
   PairRoots pairs;
   solve_pair(s, pairs);
   out.degenerate = pairs.degenerate;
-  const AxisEquations equations{w, u, slides[0], slides[2]};
-  const AcrossEquations across{w, u, slides[0], slides[2]};
+  const BesideMiddle equations{w, u, slides};
   for (int i = 0; i < pairs.count; ++i) {
     double refined[2][2] = {{pairs.a[i], pairs.c[i]}, {}};
-    int branches = slides[1] ? refine_pair(across, pairs.a[i], pairs.c[i], refined)
-                             : refine_pair(equations, pairs.a[i], pairs.c[i], refined);
+    int branches = refine_pair(equations, pairs.a[i], pairs.c[i], refined);
     for (int k = 0; k < branches; ++k) {
       Vec3 from = swing_at(u, refined[k][1], slides[2]), to = swing_at(w, refined[k][0], slides[0]);
       bool free = false;

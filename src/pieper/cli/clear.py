@@ -61,10 +61,12 @@ def command(
         say(arm.bodies.explain())
         return DONE
     path = _path(arm, first, via, last, file, units)
-    found = arm.clear(path, around, margin * units.metres)
     if plot:
         profile = arm.clearance(path, around, margin * units.metres)
         pieper.plot.save_figure(pieper.plot.clearance_figure(profile), plot)
+        found = profile.swept
+    else:
+        found = arm.clear(path, around, margin * units.metres)
     apart = arm.distance(path, around)
     at = int(np.argmin(apart))
     status = DONE if found.verdict is pieper.Clearance.CLEAR else NO_SOLUTION

@@ -10,9 +10,8 @@ import numpy.typing as npt
 from pieper.collision.distance import distance
 from pieper.collision.model import Model
 from pieper.collision.swept import Clearance, Swept, clear, postures_on
-from pieper.kinematics.arrays import ArrayLike
+from pieper.kinematics.arrays import Array, ArrayLike
 
-Array = npt.NDArray[np.float64]
 #: Stretches that a path is looked at in.
 STRETCHES = 240
 #: What a bound lies below the distances at the ends of its stretch at first, as a part of the largest distance of all;

@@ -11,8 +11,8 @@ import numpy.typing as npt
 from pieper import arguments
 from pieper.collision.distance import nearest
 from pieper.collision.hulls import Hulls
+from pieper.collision.levers import levers
 from pieper.collision.model import Model
-from pieper.description.shapes import corners
 from pieper.errors import InputError
 from pieper.kinematics.arrays import ArrayLike
 from pieper.kinematics.forward import checked_joints
@@ -196,7 +196,6 @@ class _Search:
     def __init__(self, model: Model, q: Array, margin: float, gap: float) -> None:
         self._model, self._q, self._margin, self._gap = model, q, margin, max(gap, HULL_ROUNDING)
         self._hulls = Hulls(model)
-        self._balls = [corners(shape) for shape in model.shapes]
         self.looked = 0
 
     def segment(self, segment: int, pair: int) -> Found | None:
@@ -230,15 +229,6 @@ class _Search:
 
     def _way(self, pair: int, q: Array, widths: Array) -> float:
         """Return how far the two can come towards each other in a box of joint values about q."""
-        model, chain = self._model, self._model.chain
-        i, j = (int(k) for k in model.pairs[pair])
-        points, layer = self._balls[i]
-        frame = chain.native.frames(q, model.base)[model.on[i]]
-        at = points @ frame[:3, :3].T + frame[:3, 3]
-        axes = chain.native_axes.frames(q, np.eye(4))[1:-1]
-        h = widths if chain.coupling is None else np.abs(chain.coupling) @ widths
-        way = 0.0
-        for k in range(int(model.links[i]) - 1, int(model.links[j]) - 1, -1):
-            far = float(np.linalg.norm(np.cross(axes[k, :3, 2], at - axes[k, :3, 3]), axis=1).max()) + layer
-            way += h[k] * (1.0 if chain.sliding[k] else far + way)
-        return way
+        coupling = self._model.chain.coupling
+        change = widths if coupling is None else np.abs(coupling) @ widths
+        return float(change @ levers(self._model, pair, q[None], change[None])[0])

@@ -16,13 +16,12 @@ from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, Bits, Bools
 from pieper.kinematics.pose import inverse
 from pieper.solver.batch import SolutionBatch
+from pieper.solver.beyond import DOUBTS
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.prepared import made_once
 from pieper.solver.results import Solutions
-from pieper.solver.rows import Flag, Rows
+from pieper.solver.rows import Rows
 from pieper.tolerances import FAR_OUT
-
-_MARKED = int(Flag.DEGENERATE | Flag.UNCERTAIN | Flag.EDGE)
 
 
 def one_from_afar(plan: Plan, T: Array, solve: Callable[[Plan, Array], Solutions]) -> tuple[Solutions, ...]:
@@ -44,7 +43,7 @@ def rows_from_afar(
     near = np.ones(len(poses), bool)
     if not _goes_far(plan):
         return near
-    asked = np.flatnonzero(((rows.flags & _MARKED) > 0) | ~rows.valid.any(1))
+    asked = np.flatnonzero(((rows.flags & DOUBTS) > 0) | ~rows.valid.any(1))
     decades = _decades(plan, poses[asked])
     for decade in np.unique(decades[decades > 0]).tolist():
         other = _seen_from(plan, decade)

@@ -9,7 +9,7 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag, Rows
 from pieper.tolerances import BEYOND_REACH
 
-#: What a kernel may say of such a pose, none of which can be true.
+#: What a kernel may say of a pose that wants a second look; none of it can be true beyond reach.
 DOUBTS = int(Flag.DEGENERATE | Flag.UNCERTAIN | Flag.EDGE)
 
 

@@ -207,17 +207,18 @@ def mixed(rng: np.random.Generator, kinds: str) -> pieper.Arm:
     return made(kinds, rows)
 
 
-def never_more(kinds: str, arms: int, poses: int, seed: int) -> None:
+def never_more(kinds: str, arms: int, poses: int, seed: int, task: str | None = None) -> None:
+    """Hold the bounds of arms of some kinds against random postures' poses that are not marked."""
     rng = np.random.default_rng(seed)
     for _ in range(arms):
         arm = mixed(rng, kinds)
         try:
-            plan = arm.plan
+            plan = arm.plan_for(task)
         except pieper.PlanError:
             continue
         if plan.redundancy:
             continue
-        many = arm.ik_many(arm.fk(rng.uniform(-3, 3, (poses, arm.n))), threads=1)
+        many = arm.ik_many(arm.fk(rng.uniform(-3, 3, (poses, arm.n))), task=task, threads=1)
         plain = (many.flag & 3) == 0
         most = int(many.valid.sum(1)[plain].max(initial=0))
         assert most <= plan.count.most, f"{kinds}: {most} of {plan.count}: {arm.description.rows}"

@@ -148,7 +148,7 @@ def _least(
         task = changed(amount)
         if search(task, 1) is not None:
             return True
-        # what keeps clear of a scene keeps clear by a ladder too; a front is for limits that a ladder's turns step over
+        # with a scene the front takes ten times as long as all of the ladders, and a cure is told nearly anyway
         return not task.keep.anything and search_on_front(task) is not None
 
     for amount in (high * ROOM, min(2 * high, most), most):

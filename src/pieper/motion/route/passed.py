@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from pieper.kinematics.arrays import Array
-from pieper.kinematics.joints import TURN
+from pieper.kinematics.joints import short_way
 from pieper.motion.route.front import Ended, Front, everything_at, follow
 from pieper.motion.route.setting import Setting
 from pieper.tolerances import TAKEN_UP_BEHIND
@@ -100,5 +100,5 @@ def _meet(setting: Setting, limits: Array, a: Front, b: Front) -> bool:
     joints = setting.chain.joints
     apart = (a.q[:, None] - b.q) / joints.unit
     round_ = np.isinf(limits).any(1) & ~setting.chain.prismatic
-    apart = np.where(round_, apart - TURN * np.round(apart / TURN), apart)
+    apart = np.where(round_, short_way(apart), apart)
     return bool((np.linalg.norm(apart, axis=-1) <= a.within[:, None] + b.within).any())

@@ -47,17 +47,17 @@ def refusal(task: Task, thorough: bool) -> tuple[Verdict, Blocked | None, str]:
     setting = task.setting
     if not can_be_followed(setting):
         if thorough:
-            return _uncertain(task)
+            return _uncertain(task, missed(task))
         far = beyond_reach(setting) if setting.spare > 1 else None
         return _at_one_pose(task) if far is None else _too_far(task, *far)
     places = missed(task)
-    closed = closed_by_scene(task, places)
+    closed = None if thorough else closed_by_scene(task, places)
     if closed is not None:
         return _in_the_way(task, *closed)
     more = task.keep.anything or task.turn_step is not None
     if more and search(replace(task, keep=Keep(), turn_step=None)) is not None:
         # limits alone let a route through: what closes the way can only be what is to be kept beside them
-        return _uncertain(task)
+        return _uncertain(task, places)
     cells = grid(setting)
     s = _dense(setting.s, STATIONS if setting.spare else DENSE)
     ladder = rungs(setting, cells, s, np.ones(len(s) - 1))
@@ -73,7 +73,7 @@ def refusal(task: Task, thorough: bool) -> tuple[Verdict, Blocked | None, str]:
             turned, from_end = backwards(task), rungs_backwards(ladder)
             return _told(turned, from_end, _reached(turned, cells, from_end, limits), proof)
         return _told(task, ladder, _reached(task, cells, ladder, limits) if thorough else reached, proof)
-    return _uncertain(task)
+    return _uncertain(task, places)
 
 
 def _reached(task: Task, cells: Grid, ladder: Rungs, limits: Array) -> int:
@@ -166,13 +166,14 @@ def _middles(empty: Bools) -> list[int]:
     return [(first + behind - 1) // 2 for first, behind in stretches]
 
 
-def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:
+def _uncertain(task: Task, places: list[Missed]) -> tuple[Verdict, Blocked | None, str]:
     if task.keep.anything or task.turn_step is not None:
+        where = f" {_misses(task, places[0])}" if places else ""
         return (
             Verdict.UNCERTAIN,
             None,
             "Uncertain: no route was found that keeps the clearance, the distance to singular postures and the turn "
-            f"rate asked for; without these none could be ruled out.{_nearest_kept(task)}",
+            f"rate asked for; without these none could be ruled out.{where}",
         )
     return (
         Verdict.UNCERTAIN,
@@ -182,13 +183,8 @@ def _uncertain(task: Task) -> tuple[Verdict, Blocked | None, str]:
     )
 
 
-def _nearest_kept(task: Task) -> str:
-    """Return where and by what the clearance is missed by all postures that were looked at, in a sentence; or none."""
-    places = missed(task)
-    return f" {_misses(task, places[0])}" if places else ""
-
-
 def _misses(task: Task, place: Missed, that: str = "that was looked at ") -> str:
+    """Return where and by what the clearance is missed, in a sentence: by all postures, or by all of some kind."""
     keep = task.keep
     pair = "" if keep.nearest is None else keep.nearest(place.q)
     apart = (

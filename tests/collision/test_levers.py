@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pieper
-from pieper.collision.within import at_most
+from pieper.collision.levers import at_most
 
 SCENE = pieper.Scene(
     [
