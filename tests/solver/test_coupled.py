@@ -211,5 +211,5 @@ def test_virtual_joints_are_added_to_coupled_ones(name):
     assert chain.n == arm.n + 2
     assert chain.prismatic.tolist() == [*arm.chain.prismatic.tolist(), False, True]
     q = joints(arm, 5)
-    wanted = arm.chain.fk(q) @ rotation_z(np.full(5, 0.3)) @ pieper.pose(0, 0, 0.2)
-    assert np.abs(chain.fk(np.hstack([q, np.full((5, 1), 0.3), np.full((5, 1), 0.2)])) - wanted).max() < 1e-14
+    wanted = arm.chain.native.fk(q) @ rotation_z(np.full(5, 0.3)) @ pieper.pose(0, 0, 0.2)
+    assert np.abs(chain.native.fk(np.hstack([q, np.full((5, 1), 0.3), np.full((5, 1), 0.2)])) - wanted).max() < 1e-14
