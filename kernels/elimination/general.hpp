@@ -37,9 +37,9 @@ inline bool settled(const Report& report, const Found& found) {
 }
 
 // A second opinion that added nothing. Special geometry gives some variants real eigenvalues without a solution, always; there
-// only the agreement counts.
+// only the agreement counts. A nearby arm knows nothing of two solutions that are about to merge: of it they may be complex.
 inline bool agreed(const Variant& v, const Report& report, const Found& found, int before) {
-  if (found.count != before) return false;
+  if (found.count != before || report.blind) return false;
   return settled(report, found) ||
          (v.open > 0 && !report.doubtful && !report.strayed && report.lost == 0 && even(found));
 }
@@ -96,7 +96,7 @@ inline bool escalate(const Model& model, const Rigid& pose, Found& found, bool* 
     fill_constants(model, v);
     const int before = found.count;
     solve_variant(model, v, pose, 1, &found, &report);
-    if (agreed(v, report, found, before)) return true;
+    if (trusted(v, report) && agreed(v, report, found, before)) return true;
   }
   // The elimination is singular here for every variant: its neighbours need not be. Their solutions move by the size of the
   // perturbation, or its root where two merge, and Newton brings them back.
@@ -110,7 +110,8 @@ inline bool escalate(const Model& model, const Rigid& pose, Found& found, bool* 
     const int before = found.count;
     polish_onto(model, v, pose, near, found);
     if (found.count != before) quiet = 0;
-    else if (agreed(v, report, found, before)) ++quiet;  // an open report that adds nothing says neither yes nor no
+    else if (trusted(v, report) && agreed(v, report, found, before))
+      ++quiet;  // an open report that adds nothing says neither yes nor no
   }
   return quiet >= 4;
 }
