@@ -89,20 +89,28 @@ def scouted(task: Task, limits: Array) -> Iterator[Window]:
         task: What is asked.
         limits: (m, 2) that are kept.
     """
+    seen: dict[tuple[float, float, bool], Ended] = {}
     for rough in SCOUTS:
-        yield from _scouted(task, limits, rough)
+        yield from _scouted(task, limits, rough, seen)
 
 
-def _scouted(task: Task, limits: Array, rough: tuple[float, int, int]) -> Iterator[Window]:
-    """Yield the windows of `scouted` that a front of some steps shows."""
+def _scouted(
+    task: Task, limits: Array, rough: tuple[float, int, int], seen: dict[tuple[float, float, bool], Ended]
+) -> Iterator[Window]:
+    """Yield the windows of `scouted` that a front of some steps shows, but for those of fronts that were seen end."""
     back = backwards(task)
     found: list[tuple[int, float, float, bool]] = []
     for way in (task, back):
         for first in np.linspace(0.0, 1.0, PLACES)[:-1].tolist():
-            front = _front(way, limits, first, rough)
-            if _is_end(way, front):
-                found.append((front.looked, first, front.s, way is back))
-            elif front.ended is Ended.ARRIVED:
+            key = (rough[0], first, way is back)
+            ended = seen.get(key, Ended.TIRED)
+            if ended is Ended.TIRED:
+                front = _front(way, limits, first, rough)
+                ended = Ended.DIED if _is_end(way, front) else front.ended
+                seen[key] = ended
+                if ended is Ended.DIED:
+                    found.append((front.looked, first, front.s, way is back))
+            if ended is Ended.ARRIVED:
                 # all of it is among what is inside at later places: from there something gets to the end as well
                 break
     kept: list[tuple[int, float, float, bool]] = []
@@ -138,7 +146,7 @@ def _later(
 def later(
     way: Task, limits: Array, ends: tuple[float, float], beyond: float, rough: tuple[float, int, int], halvings: int
 ) -> tuple[float, float]:
-    """Return from where, before a place beyond, a rough front still dies where one from farther back does, and there."""
+    """Return from where, before a place beyond, a rough front dies where one from farther back does, and where."""
     first, last = ends
     for _ in range(halvings):
         middle = (first + beyond) / 2
