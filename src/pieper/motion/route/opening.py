@@ -18,8 +18,8 @@ from pieper.motion.route.setting import Setting, limits_of_axes, setting
 WIDEST, WIDEST_CONE, FARTHEST = np.pi, np.radians(40.0), 0.3
 #: How often a change is halved, and how many joints are tried.
 HALVINGS, JOINTS = 5, 2
-#: What was found is made smaller by routes themselves, between it and one of so many parts of it, until what does not let
-#: a route through is nearer than `NEARLY`.
+#: What was found is made smaller by routes themselves, between it and one of so many parts of it, until what lets none
+#: through is nearer than `NEARLY`.
 PARTS, PARTS_CONE, NEARLY = 1000, 20, 1.01
 #: Points of the path that are looked at to see whether a change lets a route through; the change found is tried whole.
 POINTS = 26
