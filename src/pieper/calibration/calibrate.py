@@ -174,7 +174,7 @@ def _judged(
     sizes: Array,
     loss: str,
 ) -> tuple[HeldOut, Bools]:
-    """Return the error on held-out rows, what the covariance predicts for it (Cramer and Rao), and which are no noise."""
+    """Return the error on held-out rows, what covariance predicts for it (Cramer and Rao), and which are no noise."""
     residuals, slopes = linearised(found.model, parameters, q, held, sigma, sizes)
     kept = ~outlying(residuals) if loss == "huber" else np.ones(len(q), bool)
     before = begun.misses(nominal.fk(q))
