@@ -137,3 +137,16 @@ def test_of_coupled_turns_and_a_slide_the_least_offending_variant_counts_slides_
         variants = joints.variants(q, limits + 6.0 * joints.unit[:, None] * np.array([-1, 1]))
         every = np.maximum(limits[:, 0] - variants, variants - limits[:, 1]) / joints.unit
         assert abs((over / joints.unit).max() - every.max(1).min()) < 1e-9
+
+
+def test_a_surface_contains_what_holds_the_pose_far_from_every_line_on_it():
+    """Axes 1 and 2 are one line, 5 and 6 another: two sums are held, and a surface of postures with them."""
+    rows = [(0, 0, 0), (0.4, 0, 0), (0.3, 0, 0), (0.2, np.pi / 2, 0), (0, 0, 0.1), (0.1, 0.5, 0.2)]
+    arm = pieper.Arm.from_dh([pieper.DH(*row, 0) for row in rows], convention="standard")
+    q = np.array([0.3, 0.4, 0.7, 0.5, -0.2, 0.1])
+    motion = next(m for m in arm.ik(arm.fk(q)).self_motions if m.dimension > 1)
+    assert motion.contains(q)
+    for a, b in ((0.9, -0.7), (-1.1, 0.4), (0.3, 1.2)):
+        there = q + [a, -a, 0, 0, b, -b]
+        assert np.abs(arm.fk(there) - arm.fk(q)).max() < 1e-12
+        assert motion.contains(there) and not motion.contains(there + [0, 0, 0.1, 0, 0, 0])
