@@ -362,7 +362,8 @@ def onto(
     steps: int,
     cutoff: float,
     longest: float,
-) -> Array: ...
+    regular: float,
+) -> tuple[Array, Array]: ...
 def unfold(chain: Forward, *, q: ArrayLike, T: ArrayLike, mixed: ArrayLike | None) -> tuple[Array, int]: ...
 def nearer(
     chain: Forward,

@@ -20,7 +20,7 @@ from pieper.calibration.parameters import Parameters, parameters_of
 from pieper.calibration.unseen import in_words
 from pieper.description.dh import Description
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.pose import PoseLike
 from pieper.solver.plan.planned_arm import NominalArm
@@ -73,9 +73,9 @@ def calibrate(
     covariance *= free[:, None] * free
     held = replace(found.data, values=data.values[tested])
     begun = replace(start, values=data.values[tested])
-    error = None
+    error, strange = None, np.zeros(len(tested), bool)
     if len(tested):
-        error = _judged(nominal, begun, found, held, covariance, replace(by, q=joints[tested]), loss)
+        error, strange = _judged(nominal, begun, found, held, covariance, replace(by, q=joints[tested]), loss)
     return Fit(
         nominal=arm.description,
         model=found.model,
@@ -85,7 +85,7 @@ def calibrate(
         held_out=error,
         sigma=by.sigma,
         spread=found.spread,
-        outliers=tuple(int(i) for i in fitted_on[found.outliers]),
+        outliers=tuple(sorted(int(i) for i in (*fitted_on[found.outliers], *tested[strange]))),
         rows=(len(fitted_on), len(tested)),
         kind=kind,
         set_up=found.data,
@@ -162,8 +162,8 @@ def _judged(
     covariance: Array,
     by: Weighed,
     loss: str,
-) -> HeldOut:
-    """Return the error on held-out rows, and what the covariance predicts for it (Cramer and Rao)."""
+) -> tuple[HeldOut, Bools]:
+    """Return the error on held-out rows, what the covariance predicts for it (Cramer and Rao), and which are no noise."""
     q = by.q
     residuals, slopes = linearised(found.model, held, by)
     kept = ~outlying(residuals) if loss == "huber" else np.ones(len(q), bool)
@@ -182,6 +182,7 @@ def _judged(
             )
         )
     turns = said[1] if len(said) > 1 else (None,) * 4
-    return HeldOut(
+    error = HeldOut(
         said[0][0], turns[0], said[0][1], turns[1], said[0][2], turns[2], said[0][3], turns[3], int(kept.sum()), len(q)
     )
+    return error, ~kept

@@ -70,7 +70,8 @@ def appended(
         coupling = np.eye(chain.axis_count + len(joints), chain.n + len(joints))
         coupling[: chain.axis_count, : chain.n] = chain.coupling
         coupling[chain.axis_count :, chain.n :] = np.eye(len(joints))
-        own = (*chain.own, *range(chain.axis_count, len(coupling)))
+        # no list stands for every axis, and goes on doing so
+        own = (*chain.own, *range(chain.axis_count, len(coupling))) if chain.own else ()
     sliding = np.concatenate([chain.sliding[:place], [p for _, p in joints], chain.sliding[place:]])
     return Chain.of(np.stack(links), sliding, coupling=coupling, own=own, scale=chain.scale)
 
