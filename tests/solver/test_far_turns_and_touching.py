@@ -14,6 +14,7 @@ from pieper.kinematics.whole_turns import WholeTurns
 from pieper.solver.counted import most_met
 from pieper.solver.singular.at_limits import _touching
 from pieper.solver.singular.merged_roots import merged_root
+from pieper.solver.singular.trace import trace
 from pieper.solver.words.why import _least_over
 from pieper.tolerances import CONTAINS
 
@@ -150,3 +151,28 @@ def test_a_surface_contains_what_holds_the_pose_far_from_every_line_on_it():
         there = q + [a, -a, 0, 0, b, -b]
         assert np.abs(arm.fk(there) - arm.fk(q)).max() < 1e-12
         assert motion.contains(there) and not motion.contains(there + [0, 0, 0.1, 0, 0, 0])
+
+
+def test_what_lies_on_a_surface_is_walked_to_where_sliding_along_it_does_not_arrive(monkeypatch):
+    rows = [(0, 0, 0), (0.4, 0, 0), (0.3, 0, 0), (0.2, np.pi / 2, 0), (0, 0, 0.1), (0.1, 0.5, 0.2)]
+    arm = pieper.Arm.from_dh([pieper.DH(*row, 0) for row in rows], convention="standard")
+    q, along = np.array([0.3, 0.4, 0.7, 0.5, -0.2, 0.1]), np.array([1.0, -1.0, 0, 0, 0, 0]) / np.sqrt(2)
+    motion = trace(arm.chain, q, arm.fk(q), np.tile([-np.inf, np.inf], (6, 1)), arm.joint_names, along)
+    assert motion.dimension == 2
+    monkeypatch.setattr(type(motion), "_slid", lambda self, point, *_: point)
+    there = q + [0.9, -0.9, 0, 0, -0.7, 0.7]
+    assert motion.contains(there) and not motion.contains(there + [0, 0, 0.1, 0, 0, 0])
+
+
+def test_halving_finds_the_point_at_which_a_joint_has_a_value():
+    arm, found = motions()
+    T = arm.fk(Q)
+    for motion in found:
+        joint = motion.free[int(np.argmax(np.ptp(motion.samples[:, list(motion.free)], axis=0)))]
+        step = np.abs(np.diff(motion.samples[:, joint]))
+        for i in np.argsort(step)[-5:]:
+            a, b = motion.samples[i, joint], motion.samples[i + 1, joint]
+            for part in (0.1, 0.77):
+                point = motion._halved(int(i), joint, float(a + part * (b - a)))
+                assert point[joint] == a + part * (b - a)
+                assert np.abs(arm.fk(point) - T).max() < 1e-9
