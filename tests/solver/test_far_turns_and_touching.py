@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import pieper
 from oracle.joints import turns_apart
+from pieper.kinematics.joints import JointSpace
+from pieper.kinematics.whole_turns import WholeTurns
 from pieper.solver.counted import most_met
 from pieper.solver.singular.at_limits import _touching
 from pieper.solver.singular.merged_roots import merged_root
+from pieper.solver.singular.trace import trace
+from pieper.solver.words.why import _least_over
 from pieper.tolerances import CONTAINS
 
 SPARE = "kuka-lbr-iiwa-14-r820"
@@ -118,3 +124,55 @@ def test_the_rank_of_a_plan_is_how_many_things_the_arm_can_do_at_once(name):
     arm = pieper.load(name)
     J = arm.jacobian(np.random.default_rng(9).uniform(-1, 1, (20, arm.n)))
     assert arm.plan_for("pose").rank == np.linalg.matrix_rank(J, tol=1e-9).max()
+
+
+def test_of_coupled_turns_and_a_slide_the_least_offending_variant_counts_slides_in_lengths():
+    prismatic, coupling = np.array([False, False, True]), np.array([[1.0, 0, 0], [0.5, 1.0, 0], [0, 0.3, 1.0]])
+    joints, rng = JointSpace(prismatic, 4.0, WholeTurns(coupling, prismatic)), np.random.default_rng(1)
+    for _ in range(40):
+        middle, half = rng.uniform(-2, 2, 3), rng.uniform(0.1, 1.5, 3)
+        limits = np.stack([middle - half, middle + half], 1)
+        q = middle + rng.uniform(1, 3, 3) * half * rng.choice([-1, 1], 3)
+        chain = SimpleNamespace(joints=SimpleNamespace(first=lambda count: joints))
+        over = _least_over(SimpleNamespace(chain=chain, limits=limits, n=3, prismatic=prismatic), q)
+        variants = joints.variants(q, limits + 6.0 * joints.unit[:, None] * np.array([-1, 1]))
+        every = np.maximum(limits[:, 0] - variants, variants - limits[:, 1]) / joints.unit
+        assert abs((over / joints.unit).max() - every.max(1).min()) < 1e-9
+
+
+def test_a_surface_contains_what_holds_the_pose_far_from_every_line_on_it():
+    """Axes 1 and 2 are one line, 5 and 6 another: two sums are held, and a surface of postures with them."""
+    rows = [(0, 0, 0), (0.4, 0, 0), (0.3, 0, 0), (0.2, np.pi / 2, 0), (0, 0, 0.1), (0.1, 0.5, 0.2)]
+    arm = pieper.Arm.from_dh([pieper.DH(*row, 0) for row in rows], convention="standard")
+    q = np.array([0.3, 0.4, 0.7, 0.5, -0.2, 0.1])
+    motion = next(m for m in arm.ik(arm.fk(q)).self_motions if m.dimension > 1)
+    assert motion.contains(q)
+    for a, b in ((0.9, -0.7), (-1.1, 0.4), (0.3, 1.2)):
+        there = q + [a, -a, 0, 0, b, -b]
+        assert np.abs(arm.fk(there) - arm.fk(q)).max() < 1e-12
+        assert motion.contains(there) and not motion.contains(there + [0, 0, 0.1, 0, 0, 0])
+
+
+def test_what_lies_on_a_surface_is_walked_to_where_sliding_along_it_does_not_arrive(monkeypatch):
+    rows = [(0, 0, 0), (0.4, 0, 0), (0.3, 0, 0), (0.2, np.pi / 2, 0), (0, 0, 0.1), (0.1, 0.5, 0.2)]
+    arm = pieper.Arm.from_dh([pieper.DH(*row, 0) for row in rows], convention="standard")
+    q, along = np.array([0.3, 0.4, 0.7, 0.5, -0.2, 0.1]), np.array([1.0, -1.0, 0, 0, 0, 0]) / np.sqrt(2)
+    motion = trace(arm.chain, q, arm.fk(q), np.tile([-np.inf, np.inf], (6, 1)), arm.joint_names, along)
+    assert motion.dimension == 2
+    monkeypatch.setattr(type(motion), "_slid", lambda self, point, *_: point)
+    there = q + [0.9, -0.9, 0, 0, -0.7, 0.7]
+    assert motion.contains(there) and not motion.contains(there + [0, 0, 0.1, 0, 0, 0])
+
+
+def test_halving_finds_the_point_at_which_a_joint_has_a_value():
+    arm, found = motions()
+    T = arm.fk(Q)
+    for motion in found:
+        joint = motion.free[int(np.argmax(np.ptp(motion.samples[:, list(motion.free)], axis=0)))]
+        step = np.abs(np.diff(motion.samples[:, joint]))
+        for i in np.argsort(step)[-5:]:
+            a, b = motion.samples[i, joint], motion.samples[i + 1, joint]
+            for part in (0.1, 0.77):
+                point = motion._halved(int(i), joint, float(a + part * (b - a)))
+                assert point[joint] == a + part * (b - a)
+                assert np.abs(arm.fk(point) - T).max() < 1e-9
