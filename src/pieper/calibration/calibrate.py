@@ -163,7 +163,7 @@ def _judged(
     by: Weighed,
     loss: str,
 ) -> tuple[HeldOut, Bools]:
-    """Return the error on held-out rows, what the covariance predicts for it (Cramer and Rao), and which are no noise."""
+    """Return the error on held-out rows, what covariance predicts for it (Cramer and Rao), and which are no noise."""
     q = by.q
     residuals, slopes = linearised(found.model, held, by)
     kept = ~outlying(residuals) if loss == "huber" else np.ones(len(q), bool)

@@ -8,12 +8,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from pieper.code.between import ASKED
-from pieper.code.c_pose import ANGLE, ONE_STEP, RIGID, nearest_of
+from pieper.code.c_pose import ANGLE, RIGID, nearest_of
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import USUAL, Language, Notation, filled, functions
 from pieper.code.staged import assign, loop_lines, packed, staged
-from pieper.tolerances import CLOSES, FILLED_STARTS
+from pieper.tolerances import CLOSES, FILLED_STARTS, POLAR_SETTLES
 
 C = Language(
     words=USUAL
@@ -185,7 +185,7 @@ def _own_parts(export: Export) -> dict[str, str]:
         f"static const double NAME_upper[N] = {C.numbers(export.upper)};\n",
         "BASE": C.numbers(export.links[0]),
         "WALK": walk(export),
-        "ONE_STEP": repr(ONE_STEP),
+        "ONE_STEP": repr(POLAR_SETTLES),
         **_inside(export),
         "VALUE": "double value, " if held else "",
         "VALUE_SAID": "value, " if held else "",

@@ -29,8 +29,6 @@ static double NAME_angle(double y, double x) {
   return angle <= -3.14159265358979323846 ? 3.14159265358979323846 : angle;
 }
 """
-#: Entries of R^T R - I whose squares add up to less are nothing to rounding after one step.
-ONE_STEP = 1e-18
 #: Two steps of Newton's iteration for the polar factor, each of which squares what is off: nothing is left of 1e-5.
 RIGID = """
 /* The pose that T means: a rotation that was rounded becomes the nearest one; 0 where T is no rigid motion. */

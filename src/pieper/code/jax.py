@@ -11,7 +11,7 @@ from pieper.tolerances import NEWTON_FINITE
 NEAREST = """
 
 def _nearest(q, Ts):
-    # least squares: joint vectors (N, 8, n) whose poses come nearest to those asked for; by how much each misses
+    # least squares: joint vectors (k, 8, n) whose poses come nearest to those asked for; by how much each misses
     tested, weights = jnp.array(@TESTED@), jnp.array(@WEIGHTS@)
 
     def one(q, T):
@@ -28,8 +28,8 @@ def _nearest(q, Ts):
 FRAME = '''"""@HEADER@
 
 @SAID@NAME_ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits.
-NAME_ik_all(Ts) takes poses (N, 4, 4) and returns rows (N, 8, n) turned inside the limits where they can be, which of
-them hold (N, 8), which lie inside (N, 8), and which poses are unclear (N,): at and next to singular poses, where a row
+NAME_ik_all(Ts) takes poses (k, 4, 4) and returns rows (k, 8, n) turned inside the limits where they can be, which of
+them hold (k, 8), which lie inside (k, 8), and which poses are unclear (k,): at and next to singular poses, where a row
 may stand for many and rows may be missing. A rotation that was rounded is taken as the nearest one; what is no rigid
 motion is a ValueError of NAME_ik, and has no rows and is unclear in NAME_ik_all.
 NAME_fk(q) takes (n,) or, through jax.vmap, more; NAME_label(q) takes
@@ -74,6 +74,9 @@ def _walk(q):
 
 def NAME_fk(q):
     """Pose (4, 4) of a joint vector (n,)."""
+    q = jnp.asarray(q)
+    if q.shape != (N,):
+        raise ValueError(f"q must have shape (N,), got {q.shape}; jax.vmap takes more.")
 @TO_AXES@    return _walk(q)
 @OWN_FUNCTIONS@
 
@@ -96,7 +99,7 @@ def _rows(T):
 
 
 def NAME_ik_all(Ts@VALUES@):
-    """Rows (N, 8, n), which hold (N, 8), which lie inside the limits (N, 8), which poses are unclear (N,)."""
+    """Rows (k, 8, n), which hold (k, 8), which lie inside the limits (k, 8), which poses are unclear (k,)."""
     Ts, good = _rigid(jnp.asarray(Ts, jnp.float64))
     six, valid, unclear = _rows(@MOVED@)
     valid, unclear = valid & good[:, None], unclear | ~good

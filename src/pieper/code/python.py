@@ -142,7 +142,7 @@ def _move_inside(q):
 NEAREST = """
 
 def _nearest(q, Ts):
-    # least squares: joint vectors (N, 8, n) whose poses come nearest to those asked for; by how much each misses
+    # least squares: joint vectors (k, 8, n) whose poses come nearest to those asked for; by how much each misses
     tested, weights, point = @TESTED@, np.array(@WEIGHTS@), np.array([0.0, 0.0, 0.0, 1.0])[:, None]
     for step in range(4):
         frames, P = _walk(q)
@@ -189,8 +189,8 @@ def NAME_label(q):
 FRAME = '''"""@HEADER@
 
 @SAID@ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits; ik_all(Ts)
-takes poses (N, 4, 4) and returns rows (N, 8, n) before limits, which of them hold (N, 8), and which poses are unclear
-(N,): at and next to singular poses, where a row may stand for many and rows may be missing. A rotation that was rounded
+takes poses (k, 4, 4) and returns rows (k, 8, n) before limits, which of them hold (k, 8), and which poses are unclear
+(k,): at and next to singular poses, where a row may stand for many and rows may be missing. A rotation that was rounded
 is taken as the nearest one; what is no rigid motion is a ValueError. fk(q) and jacobian(q) take (..., n), label(q)
 takes (n,).
 """
@@ -258,10 +258,10 @@ def _rows(T):
 
 
 def ik_all(Ts@VALUES@):
-    """Rows (N, 8, n) of poses (N, 4, 4) before limits, which hold (N, 8), which poses are unclear (N,)."""
+    """Rows (k, 8, n) of poses (k, 4, 4) before limits, which hold (k, 8), which poses are unclear (k,)."""
     Ts = np.asarray(Ts, float)
     if Ts.ndim != 3 or Ts.shape[1:] != (4, 4):
-        raise ValueError(f"Ts must have shape (N, 4, 4), got {Ts.shape}.")
+        raise ValueError(f"Ts must have shape (k, 4, 4), got {Ts.shape}.")
 @VALUES_CHECKED@    Ts, good = _rigid(Ts)
     if not good.all():
         raise ValueError(_NO_POSE.format(int(np.argmin(good))))

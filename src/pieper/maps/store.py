@@ -148,7 +148,7 @@ class Store:
         return mark
 
     def get(self, number: int) -> Tile | None:
-        """Return a tile of this map and place that is there whole; None where it, its mark or a bit of it is missing."""
+        """Return a tile of this map and place that is whole; None where it, its mark or a bit of it is missing."""
         try:
             data, mark = self._tile(number).read_bytes(), self._mark(number).read_text()
         except OSError:

@@ -12,6 +12,8 @@ LINKAGE_STARTS = 1e-4
 #: Rows whose filled joints come out below this are moved onto zero, and count where they close: where a filled joint is
 #: nearly free, rounding alone moves it far.
 FILLED_STARTS = 1e-4
+#: Entries of R^T R - I whose squares add up to less are nothing to rounding after one step to the nearest rotation.
+POLAR_SETTLES = 1e-18
 #: One below this may have been meant to be zero: double roots are known to half the digits, fourfold ones to a quarter.
 NEARLY_ZERO = 1e-3
 #: Two postures merge beyond a miss of their squared relative singular value over a few: below this part of it a posture
