@@ -246,12 +246,13 @@ def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
     read = plan.solver.read(pose, q, flag)
     if read is None or (read.self_motions and not (plan.spec.closed_form or read.inside.any())):
         return None  # a curve that was followed may pass the limits between its points
-    from pieper.solver.singular.read_off import examined
+    from pieper.solver.singular.read_off import crowded, examined
 
+    if not read.self_motions and crowded(plan, read.q):
+        return None
     T = checked_pose(pose) if read.flag & _ROUNDED else pose
     found = examined(plan, T, read)
-    slots = _SLOTS[: len(read.q)]
-    return Solutions(plan, WORDS, T, read.q, slots, read.inside, read.flag, found, found.motions)
+    return Solutions(plan, WORDS, T, read.q, _SLOTS[: len(read.q)], read.inside, read.flag, found, found.motions)
 
 
 def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: int) -> Solutions:
@@ -294,6 +295,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     if not np.all(np.abs(poses[~some, :3, 3]) <= FARTHEST):
         checked_pose(poses, "Ts", batch=True)  # the kernel refuses no place, however far
     from pieper.solver.singular.careful import overlooked, sure_beside
+    from pieper.solver.singular.read_off import crowded
 
     near = rows_from_afar(plan, poses, rows, status, ik_many)
     marked = near & ((rows.flags & _DEGENERATE) > 0)
@@ -313,6 +315,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         read = plan.solver.read_into(poses, index, rows)
         if not plan.spec.closed_form:
             read[(read == 2) & ~any_row(rows.inside[index])] = 0  # as in `_read`
+            read[read == 1] = [not crowded(plan, rows.of(i)[0]) for i in index[read == 1].tolist()]
         seen, curve = index[read > 0], index[read == 2]
         status[seen] = _PLAIN[1 + any_row(rows.inside[seen])]
         status[curve[any_row(rows.inside[curve])]] = np.uint8(Status.SINGULAR)

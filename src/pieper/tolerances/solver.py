@@ -221,3 +221,6 @@ BOX_REGULAR = 1e-12
 COURSE_STEP = 1e-5
 #: A sum of joints in a self-motion's words that is smaller is rounding (deg; mm).
 SAID_AS_ZERO = 1e-9
+#: Relative sigma_min below which a regular row stands near a fold: its twin is about as far away as the steps by which
+#: poses beside a singular one are taken lead.
+NEAR_A_FOLD = 1e-4
