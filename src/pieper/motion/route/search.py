@@ -246,9 +246,13 @@ def _shortest_first(task: Task, way: Way | None, at: Array, slow: Array | None) 
     if not task.setting.spare:
         return ways
     ends = _told(task)
-    rough = [
-        smooth(_shape(task, np.round(place).astype(np.int64), np.diff(place), ends), x, rough=True) for place, x in ways
-    ]
+    rough = list[Smoothed]()
+    for place, x in ways:
+        points: Indices = np.round(place).astype(np.int64)
+        # beside its poses a way costs less than any on them: none of its steps would be taken
+        on_path, on = task.setting.on(x, task.setting.path[points])
+        shape = _shape(task, points, np.diff(place), ends)
+        rough.append(smooth(shape, on_path, rough=True) if on.all() else Smoothed(x, np.inf, np.inf))
     order = sorted(range(len(ways)), key=lambda k: rough[k].cost)
     return [(ways[k][0], rough[k].x if np.isfinite(rough[k].cost) else ways[k][1]) for k in order]
 
