@@ -105,7 +105,8 @@ def climb(
     for at, end in zip((0, -1), ends, strict=True):
         if end is not None:
             start = _normal(setting, end, wider)
-            lifts[at] = np.round((end - start) / TURN)
+            # of a joint that counts as if it had no limits the ends are meant whatever their whole turns
+            lifts[at] = np.where(np.isfinite(limits).all(1), np.round((end - start) / TURN), -1)
             x, valid = _only(setting, x, valid, at, start)
     cell = max((np.ptp(c.values) / max(len(c.values) - 1, 1) for c in grid.coordinates), default=1.0)
     near = grid.near(max(1, int(round(REACH / max(cell, NO_DIRECTION)))) if len(grid.coordinates) < 2 else 2)

@@ -277,7 +277,7 @@ def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool, wide
         if spot:
             return None
     told = any(end is not None for end in task.ends)
-    for all_turns in (True,) if told else (False, True):
+    for all_turns in (False, True):
         way = climb(
             setting,
             cells,
@@ -293,6 +293,8 @@ def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool, wide
             if not all_turns:
                 return None  # nothing without whole turns: nothing with them
             continue
+        if told and not all_turns:
+            continue  # whole turns are told: this was to see whether anything leads there at all
         x = way.x if all_turns and told else fitted(setting, way.x, wider=wider)
         if x is not None:
             return replace(way, x=x)
