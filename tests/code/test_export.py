@@ -21,6 +21,7 @@ ARMS = (
     "denso-vp6242",
     "universal-robots-ur5e",
     "universal-robots-ur10e",
+    "jaka-zu30",
     "stanford-arm",
     "rrp-wrist",
     "abb-irb4400l-30-243",

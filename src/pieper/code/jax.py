@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pieper.code.export import Export
 from pieper.code.language import filled
+from pieper.code.program import LoopWords
 from pieper.code.python import LABEL, RIGID, arrays, own_parts
 from pieper.tolerances import NEWTON_FINITE
 
@@ -148,6 +149,20 @@ if __name__ == "__main__":
 '''
 
 
+def fixed_steps(loop: LoopWords) -> list[str]:
+    """Return a loop of so many steps, which can be compiled and differentiated."""
+    carried, name = ", ".join(loop.names), f"step_{loop.names[0]}"
+    return [
+        f"    def {name}(_, carried):",
+        f"        {carried} = carried",
+        *(f"    {line}" for line in loop.lines),
+        f"        return {', '.join(loop.next)}",
+        "",
+        f"    {carried} = jax.lax.fori_loop(0, {loop.steps}, {name}, "
+        f"tuple(jnp.broadcast_to(jnp.asarray(x, float), T.shape[:1]) for x in ({', '.join(loop.start)})))",
+    ]
+
+
 def text(export: Export) -> str:
     """Return the file's text."""
     own = export.between
@@ -162,4 +177,4 @@ def text(export: Export) -> str:
         "ALONE_IS": "~SLIDES_" if own.tied is None else "~SLIDES_ & ~_TIED",
     }
     frame = FRAME.replace("@LABEL@", LABEL).replace("@RIGID@", RIGID.replace("MODULE", "jnp"))
-    return filled(frame, arrays("jnp").parts(export) | parts, export)
+    return filled(frame, arrays("jnp", fixed_steps).parts(export) | parts, export)

@@ -2,14 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from pieper.code.between import held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions, quoted
+from pieper.code.program import LoopWords
 from pieper.tolerances import CLOSES, FILLED_STARTS, NEWTON_FINITE
 
 
-def arrays(module: str) -> Language:
+def while_any_moves(loop: LoopWords) -> list[str]:
+    """Return a loop over arrays, which ends when none of their entries moves."""
+    carried = ", ".join(loop.names)
+    return [
+        f"    {carried} = {', '.join(loop.start)}",
+        f"    for _ in range({loop.steps}):",
+        *(f"    {line}" for line in loop.lines),
+        f"        {carried} = {', '.join(loop.next)}",
+        f"        if not np.any({loop.moving}):",
+        "            break",
+    ]
+
+
+def arrays(module: str, loop: Callable[[LoopWords], list[str]] = while_any_moves) -> Language:
     """Return the language of a module of arrays, NumPy or what is called as it is, after its name here."""
     named = {"angle": "_angle({0}, {1})", "select": f"{module}.where({{0}}, {{1}}, {{2}})"}
     named |= {"atan2": f"{module}.arctan2({{0}}, {{1}})", "true": f"{module}.True_", "false": f"{module}.False_"}
@@ -17,6 +33,7 @@ def arrays(module: str) -> Language:
         words=USUAL | ENTRYWISE | functions(f"{module}.") | named,
         entry=lambda k: f"T[:, {k // 4}, {k % 4}]",
         assign=lambda name, _, expression: f"    {name} = {expression}",
+        loop=loop,
         infinity=f"{module}.inf",
         truths=("False", "True"),
         header=quoted,

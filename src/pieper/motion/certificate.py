@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Indices
+from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.motion.profile import Profile
 from pieper.motion.tool_bounds import ToolCurve
+from pieper.tolerances import BOUND_NEAR, LIMIT_BINDS
 
 
 def vector_peaks(value: Array, strays: Array, x: Array) -> Array:
@@ -36,37 +40,113 @@ def tool_acceleration_peaks(tool: ToolCurve, h: Array, x: Array) -> Array:
     return np.maximum(*ends) + h**2 / 8 * bent
 
 
-def tool_acceleration_in_time(
-    tool: ToolCurve, cell: Indices, point: Array, bend: Array, profile: Profile, fastest: Array | None
-) -> Array:
-    """Return a bound (k,) of the tool point's acceleration on each piece of a profile that lies on one cell of a grid.
+@dataclass(frozen=True, eq=False)
+class Felt:
+    """A vector f(s) of the tool and what of it is limited: f v (power 1) or f a + f' v^2 (2), v = ds/dt, a = dv/dt.
 
-    Its second derivative by time is p4 v^4 + 6 p3 v^2 a + p2 (3 a^2 + 4 v j): p2, p3 and p4 the second to fourth
-    derivative of the point by s; v, a and j those of s by time. An eighth of it, times the piece's length squared, is
-    how far it departs from the larger of its ends.
+    Attributes:
+        at: From places s (k,) to f and f' (k, 3) there.
+        power: 1 or 2.
+        second: (c,) bound of |f''| on each cell of a grid.
+        third: (c,) bound of |f'''|.
+    """
+
+    at: Callable[[Array], tuple[Array, Array]]
+    power: int
+    second: Array
+    third: Array
+
+
+def felt_at_ends(felt: Felt, profile: Profile) -> Array:
+    """Return how large (k,) what is felt is where pieces of a profile begin and end, the larger of both."""
+    return _pieces(felt, profile)[3]
+
+
+def peaks_in_time(felt: Felt, cell: Indices, profile: Profile, allowed: Array, least: float) -> Array:
+    """Return a bound (k,) of what is felt over what is allowed, on pieces of a profile that lie on one cell each.
+
+    An eighth of its second derivative by time, times the piece's length squared, is how far it departs from the larger
+    of its ends. Where a piece lasts long that is far: pieces whose bounds are among the largest are split in time until
+    their bounds are near values that are there.
 
     Args:
-        tool: What bounds the tool on the grid's cells.
+        felt: What is felt.
         cell: (k,) the cell of each piece.
-        point: (k + 1, 3) p' where pieces begin and end, m.
-        bend: (k + 1, 3) p'' there, m.
         profile: s(t) in k pieces.
-        fastest: (k,) bounds of ds/dt on each piece; None where the ends alone are asked for.
+        allowed: (k,) what is allowed on each.
+        least: Bounds below this, over what is allowed, are not looked at more closely; above zero.
     """
-    h = np.diff(profile.t)
-    _, v, a, j = profile.c.T
-    last = v + h * (a + h * j / 2), a + h * j
-    sizes = [
-        np.linalg.norm(p * over[:, None] + d * (rate * rate)[:, None], axis=1)
-        for p, d, rate, over in ((point[:-1], bend[:-1], v, a), (point[1:], bend[1:], *last))
-    ]
-    if fastest is None:
+    parts, begin, end, sizes = _pieces(felt, profile)
+    out = np.zeros(len(cell))
+    while True:
+        limit = allowed[parts.piece]
+        sizes = sizes / limit
+        bounds = sizes + parts.strays(felt, cell, begin, end) / limit
+        # the largest value that is there for sure
+        least = max(least, float(sizes.max()))
+        loose = (bounds > least * (1 - LIMIT_BINDS)) & (bounds - sizes > least * BOUND_NEAR)
+        np.maximum.at(out, parts.piece[~loose], bounds[~loose])
+        if not loose.any():
+            return out
+        # how far it strays falls with the square of the length
+        parts = parts.split(loose, np.ceil(np.sqrt((bounds - sizes)[loose] / (least * BOUND_NEAR))).astype(np.int64))
+        begin, end = felt.at(parts.c[:, 0]), felt.at(np.minimum(parts.after(parts.h)[:, 0], 1.0))
+        sizes = parts.ends(felt, begin, end)
+
+
+_Ends = tuple[Array, Array]
+
+
+def _pieces(felt: Felt, profile: Profile) -> tuple[_Parts, _Ends, _Ends, Array]:
+    """Return the pieces of a profile, f and f' where they begin and end, and how large (k,) what is felt is there."""
+    parts = _Parts(np.arange(len(profile.c)), np.diff(profile.t), profile.c)
+    f, slope = felt.at(np.append(profile.c[:, 0], 1.0))
+    begin, end = (f[:-1], slope[:-1]), (f[1:], slope[1:])
+    return parts, begin, end, parts.ends(felt, begin, end)
+
+
+@dataclass(frozen=True, eq=False)
+class _Parts:
+    """Stretches of a profile: of which piece (k,), how long h (k,) in time, and s(t) where each begins, c (k, 4)."""
+
+    piece: Indices
+    h: Array
+    c: Array
+
+    def after(self, h: Array) -> Array:
+        """Return s and its derivatives by time (k, 4) so long after the beginnings."""
+        s, v, a, j = self.c.T
+        return np.stack([s + h * (v + h * (a / 2 + h * j / 6)), v + h * (a + h * j / 2), a + h * j, j], 1)
+
+    def split(self, which: Bools, count: Indices) -> _Parts:
+        """Return some of them cut into so many even parts each."""
+        of = np.repeat(np.flatnonzero(which), count)
+        number = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+        h = self.h[of] / np.repeat(count, count)
+        whole = _Parts(self.piece[of], h, self.c[of])
+        return replace(whole, c=whole.after(number * h))
+
+    def ends(self, felt: Felt, begin: _Ends, end: _Ends) -> Array:
+        """Return the larger (k,) of what is felt at both ends, from f and f' there."""
+        sizes: list[Array] = []
+        for (f, slope), x in ((begin, self.c), (end, self.after(self.h))):
+            v, a = x[:, 1:2], x[:, 2:3]
+            sizes.append(np.linalg.norm(f * v if felt.power == 1 else f * a + slope * v**2, axis=1))
         return np.maximum(*sizes)
-    most = np.maximum(np.abs(a), np.abs(last[1]))
-    size = np.linalg.norm(bend, axis=1)
-    bent = tool.fourth[cell] * fastest**4 + 6 * tool.third[cell] * fastest**2 * most
-    bent += (np.maximum(size[:-1], size[1:]) + tool.third[cell] * h * fastest) * (3 * most**2 + 4 * fastest * np.abs(j))
-    return np.maximum(*sizes) + h**2 / 8 * bent
+
+    def strays(self, felt: Felt, cell: Indices, begin: _Ends, end: _Ends) -> Array:
+        """Return by how much (k,) more it can be between: an eighth of its second derivative, times h^2."""
+        h, (_, v, a, j), last = self.h, self.c.T, self.after(self.h)
+        most, j = np.maximum(np.abs(a), np.abs(last[:, 2])), np.abs(j)
+        # Bernstein coefficients of a speed that is a quadratic of time
+        v = np.max([v, v + h * a / 2, last[:, 1]], 0)
+        third, second = felt.third[cell][self.piece], felt.second[cell][self.piece]
+        size, slope = (np.linalg.norm(np.stack(both), axis=-1).max(0) for both in zip(begin, end, strict=True))
+        slope = slope + second * h * v
+        size = size + slope * h * v
+        if felt.power == 1:
+            return h**2 / 8 * (second * v**3 + 3 * slope * v * most + size * j)
+        return h**2 / 8 * (third * v**4 + 6 * second * v**2 * most + slope * (3 * most**2 + 4 * v * j))
 
 
 _ENDS = (slice(None, -1), slice(1, None))

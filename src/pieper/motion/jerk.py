@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from math import comb
 
 import numpy as np
 
 from pieper import _kernel
 from pieper.kinematics.arrays import Array, Indices
-from pieper.motion.certificate import tool_acceleration_in_time
+from pieper.motion.certificate import Felt, felt_at_ends, peaks_in_time
 from pieper.motion.curve import JointCurve
 from pieper.motion.in_time import binding, profile_of, sampled
 from pieper.motion.motion import Motion
@@ -17,8 +19,8 @@ from pieper.motion.profile import Profile
 from pieper.motion.ratios import Ratios, joint_kinds, limits_of_tool
 from pieper.motion.straight import closed_form, is_even
 from pieper.motion.timed_path import TimedPath
-from pieper.motion.tool_bounds import point_derivatives
-from pieper.tolerances import JERK_GAIN, ONE_MOMENT, TAKEN_BACK
+from pieper.motion.tool_bounds import ToolCurve, point_derivatives, turn_derivatives
+from pieper.tolerances import BOUND_NEAR, JERK_GAIN, ONE_MOMENT, TAKEN_BACK
 
 #: Degree of a joint's speed on a piece: q' of degree 2 in s, s of degree 3 in time, times ds/dt of degree 2.
 DEGREE = 8
@@ -59,12 +61,10 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
         factor = max(float(ratios.stretch().max()), 1.0)
         if profile.duration * factor < best.duration:
             best = _Tried(profile.duration * factor, factor, profile, best.eased)
-    profile, factor = best.profile, best.factor
-    while True:
-        profile, ratios = peaks(timed, curve, profile.slower(factor))
-        if ratios.margin <= 1:
-            break
-        factor = float(ratios.stretch().max()) * (1 + TAKEN_BACK)
+    profile, ratios = peaks(timed, curve, best.profile.slower(best.factor))
+    # what the search bounded by more than there is becomes faster
+    while ratios.margin > 1 or ratios.margin < 1 - BOUND_NEAR:
+        profile, ratios = peaks(timed, curve, profile.slower(float(ratios.stretch().max()) * (1 + TAKEN_BACK)))
     tight = binding(profile.t, ratios)
     return timed.motion(sampled(curve, profile, rate), tight, ratios.margin, profile.duration, curve.between_points())
 
@@ -215,12 +215,13 @@ _COEFFICIENTS, _NONE = _bernstein(), np.zeros((0, 0))
 def peaks(timed: TimedPath, curve: JointCurve, profile: Profile, *, proved: bool = True) -> tuple[Profile, Ratios]:
     """Return a profile split where the curve's pieces meet, and bounds of what it uses of every limit on its pieces.
 
-    Where they need not be `proved` the largest of three values is taken instead: enough for a search.
+    Where they need not be `proved` the largest of three values of a joint is taken instead, and of the tool the values
+    where pieces begin and end: enough for a search.
     """
-    bound, most = timed.bound, timed.limits.tool_acceleration
+    bound, tool = timed.bound, timed.tool if limits_of_tool(timed) else None
     assert bound.jerk is not None
-    if most is not None:
-        # the tool's acceleration is bounded on one cell of the grid at a time
+    if tool is not None:
+        # the tool is bounded on one cell of the grid at a time
         curve = timed.curve
     t, c, values, fastest = _kernel.jerk_ratios(
         s=curve.s,
@@ -237,24 +238,37 @@ def peaks(timed: TimedPath, curve: JointCurve, profile: Profile, *, proved: bool
         coefficients=_COEFFICIENTS if proved else _NONE,
         moment=ONE_MOMENT,
     )
-    split, kinds = Profile(t, c), joint_kinds(timed.names, "speed", "acceleration", "jerk")
-    if timed.tool is None or not limits_of_tool(timed):
-        return split, Ratios(kinds, values)
-    first, last = timed.curve.piece(c[:, 0]), timed.curve.piece(np.append(c[1:, 0], 1.0))
-    speeds = [("tool speed", timed.tool.point, timed.tool.point_strays, timed.tool_speed)]
-    if timed.limits.turn_speed is not None:
-        speeds.append(("turn speed", timed.tool.turn, timed.tool.turn_strays, timed.limits.turn_speed * timed.share))
-    rows: list[Array] = []
-    for _, value, strays, allowed in speeds:
-        size = np.linalg.norm(value, axis=1)
-        top = np.maximum(size[:-1], size[1:]) + strays
-        ratio = np.maximum.reduceat(np.append(top / allowed, 0.0), np.stack([first, last + 1], 1).ravel())[::2]
-        rows.append(ratio * fastest)
-    more = [name for name, *_ in speeds]
-    if most is not None:
-        more.append("tool acceleration")
-        derivatives = point_derivatives(timed.chain, timed.curve, np.append(c[:, 0], 1.0))
-        cell = timed.curve.piece(split.middles)
-        size = tool_acceleration_in_time(timed.tool, cell, *derivatives, split, fastest if proved else None)
-        rows.append(size / most)
-    return split, Ratios((*kinds, *((name, None) for name in more)), np.vstack([values, *rows]))
+    split, ratios = Profile(t, c), Ratios(joint_kinds(timed.names, "speed", "acceleration", "jerk"), values)
+    if tool is None:
+        return split, ratios
+    cell = timed.curve.piece(split.middles)
+    for name, felt, grid, allowed in _of_the_tool(timed, tool):
+        if proved:
+            # what uses less than another limit does need not be known better
+            used = peaks_in_time(felt, cell, split, allowed[cell], float(ratios.stretch().max()) ** felt.power)
+        else:
+            used = _roughly(felt, grid, cell, split, fastest) / allowed[cell]
+        ratios = Ratios((*ratios.kinds, (name, None)), np.vstack([ratios.values, used]))
+    return split, ratios
+
+
+def _of_the_tool(timed: TimedPath, tool: ToolCurve) -> Iterator[tuple[str, Felt, Array, Array]]:
+    """Yield each limit of the tool by name, what feels it, f (k + 1, 3) on the grid, and what is allowed (k,) on it."""
+    limits = timed.limits
+    point = partial(point_derivatives, timed.chain, timed.curve)
+    if np.isfinite(timed.tool_speed).any():
+        yield "tool speed", Felt(point, 1, tool.third, tool.fourth), tool.point, timed.tool_speed
+    if limits.turn_speed is not None:
+        turn = partial(turn_derivatives, timed.chain, timed.curve)
+        yield "turn speed", Felt(turn, 1, tool.turn_third, tool.turn_third), tool.turn, limits.turn_speed * timed.share
+    if limits.tool_acceleration is not None:
+        allowed = np.full(len(timed.share), limits.tool_acceleration)
+        yield "tool acceleration", Felt(point, 2, tool.third, tool.fourth), tool.point, allowed
+
+
+def _roughly(felt: Felt, grid: Array, cell: Indices, split: Profile, fastest: Array) -> Array:
+    """Return about how large (m,) what is felt gets: of a speed the grid's values, times ds/dt at most (m,)."""
+    if felt.power == 2:
+        return felt_at_ends(felt, split)
+    size = np.linalg.norm(grid, axis=1)
+    return np.maximum(size[:-1], size[1:])[cell] * fastest

@@ -26,6 +26,7 @@ class ToolCurve:
         point_strays: (k,) how far p' can be from the line between its ends, m.
         turn_strays: (k,) the same of `turn`, rad.
         third: (k,) bound of |p'''|, m.
+        turn_third: (k,) bound of the second derivative of `turn`, rad.
         fourth: (k,) bound of |p''''|, m.
     """
 
@@ -35,6 +36,7 @@ class ToolCurve:
     point_strays: Array
     turn_strays: Array
     third: Array
+    turn_third: Array
     fourth: Array
 
 
@@ -62,7 +64,7 @@ def tool_curve(chain: Chain, curve: JointCurve) -> ToolCurve:
     lever = levers(chain, q)
     third = _third(lever, Q1, Q2, Q3)
     turns = _third(np.where(chain.prismatic, 0.0, 1.0), Q1, Q2, Q3)
-    return ToolCurve(point, bend, turn, h**2 / 8 * third, h**2 / 8 * turns, third, _fourth(lever, Q1, Q2, Q3))
+    return ToolCurve(point, bend, turn, h**2 / 8 * third, h**2 / 8 * turns, third, turns, _fourth(lever, Q1, Q2, Q3))
 
 
 def point_derivatives(chain: Chain, curve: JointCurve, s: Array) -> tuple[Array, Array]:
@@ -76,6 +78,19 @@ def point_derivatives(chain: Chain, curve: JointCurve, s: Array) -> tuple[Array,
     C = np.eye(chain.axis_count) if chain.coupling is None else chain.coupling
     q, d1, d2, _ = (values @ C.T for values in curve.at(s))
     return _point(chain.uncoupled.native.jacobian(q), d1, d2)
+
+
+def turn_derivatives(chain: Chain, curve: JointCurve, s: Array) -> tuple[Array, Array]:
+    """Return the tool's turning w and w' (k, 3) a unit of s, rad, at s (k,) of a curve: as `point_derivatives`.
+
+    Equation: w' = the sum over k of a_k q''_k + (the sum over j < k of a_j q'_j) x a_k q'_k
+    """
+    C = np.eye(chain.axis_count) if chain.coupling is None else chain.coupling
+    q, d1, d2, _ = (values @ C.T for values in curve.at(s))
+    axes = chain.uncoupled.native.jacobian(q)[:, 3:]
+    turning = axes * d1[:, None, :]
+    crossed = np.cross(np.cumsum(turning, -1), turning, axis=1).sum(-1)
+    return turning.sum(-1), np.einsum("kij,kj->ki", axes, d2) + crossed
 
 
 def levers(chain: Chain, q: Array) -> Array:

@@ -13,7 +13,7 @@ import numpy as np
 from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
-from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
+from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, is_exact
 from pieper.solver.afar import one_from_afar, rows_from_afar
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.batches import (
@@ -353,19 +353,19 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
     rows = rows_at_choice(plan, T[None], asked, 1, _alone)
     without_doubt(plan, T[None], rows)
     q, slots, inside, flag = rows.of(0)
-    if not np.array_equal(T, np.asarray(as_pose(given), float)):
-        flag |= Flag.ROUNDED
+    if not is_exact(given) and not np.array_equal(T, np.asarray(as_pose(given), float)):
+        flag |= _ROUNDED
     if (flag & _DOUBTFUL or not len(q)) and (far := one_from_afar(plan, T, ik)):
         return far[0]
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))
     motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults)
-    if asked.free and not inside.any():
+    if asked.free and not np.count_nonzero(inside):
         rows, kind = choose_elsewhere(plan, T[None], rows, 1)
         q, slots, inside, there = rows.of(0)
         motions = motions if kind[0] else ()
         flag = there | (flag & _ROUNDED)
-    if asked.free and inside.any():
+    if asked.free and np.count_nonzero(inside):
         flag &= ~_UNCERTAIN  # of rows at a value that nobody chose nobody was told that they are all
     return Solutions(asked.plan, WORDS, T, q, slots, inside, int(flag) & ~(_DEGENERATE | _EDGE), self_motions=motions)
 

@@ -40,6 +40,8 @@ WRIST_OVER_AXIS = 1e-3
 AXES_ACROSS = 1e-9
 #: A limit binds where its value comes this near to it, relative: a little more than the tool's polygon takes away.
 LIMIT_BINDS = 2e-3
+#: Bounds of what the tool does within a jerk lie this near above a value that is there, relative to the largest.
+BOUND_NEAR = 1e-5
 #: What is passed by rounding is taken back with this much more, relative.
 TAKEN_BACK = 1e-13
 #: Points this near to the chord from end to end, of the largest joint value, are on a straight line: rounding.

@@ -22,6 +22,8 @@ SAME_AFTER_CUT = 1e-6
 
 #: Singular values below this part of the largest do not count for a rank.
 RANK = 1e-7
+#: Nor do those below this part for anything: they are zero, and rounding made them.
+RANK_ROUNDING = 1e-13
 #: Offsets and twists (per length; rad) up to which the two sides of an offset wrist are taken for alike, and from which
 #: they are taken for different. Between the two every root is nearly double: such an arm goes to the general solver.
 SIDES_ALIKE = 1e-13
@@ -51,6 +53,8 @@ DAMPED_INVERSE = 1e-6
 BESIDE_UNSOLVED = (1e-4, -1e-4, 1e-3)
 #: Directions that the pose feels less than this part of the most carry no step onto the pose: the joints stay near.
 PULLED_RANK = 1e-7
+#: Nor do those below this part for anything: they are zero, and rounding made them.
+RANK_ROUNDING = 1e-13
 #: How near to a special arrangement an arm is tried as one, the nearest first, where no elimination is certain (rad;
 #: per length): beyond the last of them eliminations are certain again.
 NEARLY_SPECIAL = (1e-10, 1e-8, 1e-6, 2e-5)
@@ -86,8 +90,6 @@ LABEL_STEP = 1e-3
 LABELLED_ANGLE = 1e-6
 #: A determinant (per length) nearer to zero than this has no sign.
 ASPECT_SIGN = 1e-12
-#: A nearest posture that misses by less (per length; rad) hits the pose.
-TOLD_AS_HIT = 1e-7
 #: Positions missed by less (per length) are reached, turns (rad) are right.
 TOLD_AS_TURN = 1e-6
 #: The same where a row is pulled from the side, and must not wander off along what is free.
