@@ -1,10 +1,10 @@
 """A route where no ladder leads: postures that drift along the path and wander on the way, as many as can live.
 
-An arm that leans its tool only as its own joints decide, one of four joints or one whose last joint turns about the axis
-that is meant, meets no even grid of turns and tilts: what it holds is thin among them. A narrow passage between limits
-and the edge of a cone is thin as well. A swarm needs no grid: postures are carried from place to place by Newton steps,
-what leaves the limits dies, and what lives has descendants beside it. Who descends from whom is a chain from the first
-pose to the last, which is carried and made short like any other before it is a route. Where the swarm dies nothing is proved.
+An arm that leans its tool only as its own joints decide, one of four joints or one whose last joint turns about the
+axis that is meant, meets no even grid of turns and tilts: what it holds is thin among them. A narrow passage between
+limits and the edge of a cone is thin as well. A swarm needs no grid: postures are carried from place to place by Newton
+steps, what leaves the limits dies, and what lives has descendants beside it. Who descends from whom is a chain from the
+first pose to the last, carried and made short like any other before it is a route. A swarm that dies proves nothing.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from pieper.motion.route.smooth import Smoothed
 from pieper.motion.route.windows import backwards, rungs_backwards
 from pieper.tolerances import CLOSES, CONE_INSIDE, LIMIT_SLACK
 
-#: Postures that live at a place at most, rounds of wandering there, and places from end to end: of a thin set, which has
-#: few sheets, and of another.
+#: Postures that live at a place at most, rounds of wandering there, and places from end to end: of a thin set,
+#: which has few sheets, and of another.
 THIN, WIDE = (120, 1, 60), (400, 4, 200)
 #: Postures that are tried for the first place at once, and how often.
 TRIED, TIMES, SETTLING = 1000, 12, 6
