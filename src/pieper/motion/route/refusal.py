@@ -151,9 +151,11 @@ def _at_one_pose(task: Task) -> tuple[Verdict, Blocked | None, str]:
             )
             return Verdict.IMPOSSIBLE, blocked, reason
     which = "none was proved to be one" if empty.any() else "none is one"
-    free = plural(setting.spare, "coordinate")
+    one = setting.spare == 1
+    free = f"{plural(setting.spare, 'coordinate')} {'is' if one else 'are'}"
+    what = "where the tool leans as the joints decide" if one else "with more than one"
     reason = (
-        f"Uncertain: no route was found; {free} are free, and with more than one a route is ruled out only by a pose "
+        f"Uncertain: no route was found; {free} free, and {what} a route is ruled out only by a pose "
         f"that no posture inside the limits holds: of the {len(s)} looked at {which}."
     )
     return Verdict.UNCERTAIN, None, reason
