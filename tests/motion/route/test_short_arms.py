@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import least_squares
 
 import pieper
 from oracle.planar import reached
@@ -79,3 +80,53 @@ def test_the_turn_that_an_arms_own_task_leaves_is_told():
     route = arm.route(path)
     assert np.abs(arm.fk(route.q) - pieper.Freedom().turned(path, route.turn)).max() < 1e-8
     assert np.ptp(route.turn) > 1e-3 and "The tool turns between" in route.explain()
+
+
+def own_route(arm, path, axis, held, q):
+    """Joints that follow the tool's point from q, with the turn held at zero where it is, by least squares alone."""
+    x, out = q, []
+    for T in path:
+
+        def miss(y, T=T, near=x):
+            F = arm.fk(y)
+            D = T[:3, :3].T @ F[:3, :3] @ pieper.Freedom(axis=axis).to_z[:3, :3]
+            D = pieper.Freedom(axis=axis).to_z[:3, :3].T @ D
+            turn = [100 * np.arctan2(-D[0, 1], D[0, 0])] if held else []
+            return np.concatenate([100 * (F[:3, 3] - T[:3, 3]), turn, 1e-3 * (y - near)])
+
+        for _ in range(4):
+            x = least_squares(miss, x, xtol=1e-15, ftol=1e-15, gtol=1e-15).x
+        out.append(x)
+    out = np.array(out)
+    F, e = arm.fk(out), "xyz".index(axis)
+    off = np.abs(F[:, :3, 3] - path[:, :3, 3]).max()
+    tilt = np.arccos(np.clip((F[:, :3, e] * path[:, :3, e]).sum(1), -1, 1)).max()
+    turned = max((abs(miss(y, T, y)[3]) / 100 for y, T in zip(out, path, strict=True)), default=0.0) if held else 0.0
+    return off < 1e-9 and turned < 1e-9, tilt, out
+
+
+LEANING = ["robotis-openmanipulator-x", "interbotix-pincherx-100", "interbotix-pincherx-150", "interbotix-viperx-300"]
+
+
+@pytest.mark.parametrize("turn", ["free", (0.0, 0.0), (-0.2, 0.1)])
+@pytest.mark.parametrize("axis", ["x", "y", "z"])
+@pytest.mark.parametrize("name", LEANING)
+def test_a_short_arm_that_leans_as_its_joints_decide_has_the_route_that_following_its_point_finds(name, axis, turn):
+    arm = pieper.load(name)
+    limits = np.clip(arm.limits, -2.5, 2.5)
+    q = limits[:, 0] + (limits[:, 1] - limits[:, 0]) * np.array([0.55, 0.6, 0.4, 0.6, 0.6])[: arm.n]
+    path = pieper.line(arm.fk(q), arm.fk(q + 0.05), 12)
+    holds, tilt, own = own_route(arm, path, axis, turn == (0.0, 0.0), q)
+    inside = ((own > arm.limits[:, 0]) & (own < arm.limits[:, 1])).all()
+    if not (holds and inside and tilt < 0.09):
+        pytest.skip("following the tool's point leaves the cone")
+    route = arm.route(path, free=pieper.Freedom(axis=axis, cone=0.1, turn=turn))
+    assert route.found and route.tilt.max() <= 0.1 and route.slope < np.inf
+    assert route.cost <= np.sum(np.diff(own, axis=0) ** 2) * (1 + 1e-3)
+    # what the route says of turn and tilt is what its joints do: R = path Rx(a) Ry(b) Rz(turn), z the axis meant
+    z = pieper.Freedom(axis=axis).to_z[:3, :3]
+    D = z.T @ np.swapaxes(path[:, :3, :3], 1, 2) @ arm.fk(route.q)[:, :3, :3] @ z
+    assert np.abs(arm.fk(route.q)[:, :3, 3] - path[:, :3, 3]).max() < 1e-9
+    off = np.arctan2(-D[:, 0, 1], D[:, 0, 0]) - route.turn
+    assert np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max() < 1e-7
+    assert np.abs(np.arccos(np.clip(D[:, 2, 2], -1, 1)) - route.tilt).max() < 1e-6

@@ -33,7 +33,8 @@ class Freedom:
     """What of the tool's orientation does not matter.
 
     Args:
-        turn: "free", or an interval (lo, hi) of the turn about the axis, rad; (0, 0) holds it.
+        turn: "free", or an interval (lo, hi) of the turn about the axis, rad; (0, 0) holds it. Within a cone it is the
+            last of R_path Rx(a) Ry(b) Rz(turn), z the axis meant: about the axis as it leans.
         cone: By how much the axis may tilt away from where the pose has it, rad.
         axis: The axis of the tool that is meant: "x", "y" or "z".
 

@@ -66,7 +66,8 @@ def can_be_followed(setting: Setting) -> bool:
     slides = setting.plan.prismatic
     if C is not None and not np.array_equal(C[slides], np.eye(setting.n)[slides]):
         return False
-    return setting.spare <= 1 and whole.n - setting.spare == 6 and generic_rank(whole) == 6
+    # what is free of a thin set is not met by solving for it
+    return not setting.tilts and setting.spare <= 1 and whole.n - setting.spare == 6 and generic_rank(whole) == 6
 
 
 def follow(setting: Setting, limits: Array, seeds: Array, s: tuple[float, float], fine: float, most: int) -> Front:

@@ -48,7 +48,7 @@ def refusal(task: Task, thorough: bool) -> tuple[Verdict, Blocked | None, str]:
     if not can_be_followed(setting):
         if thorough:
             return _uncertain(task, missed(task))
-        far = beyond_reach(setting) if setting.spare > 1 else None
+        far = beyond_reach(setting) if setting.spare > 1 or setting.tilts else None
         return _at_one_pose(task) if far is None else _too_far(task, *far)
     places = missed(task)
     closed = None if thorough else closed_by_scene(task, places)
@@ -130,7 +130,7 @@ def _too_far(task: Task, s: float, metres: float) -> tuple[Verdict, Blocked, str
 def _at_one_pose(task: Task) -> tuple[Verdict, Blocked | None, str]:
     """Return the verdict where more than one coordinate is free: impossible where one pose is held by nothing."""
     setting = task.setting
-    if setting.spare < 2:
+    if setting.spare < 2 and not setting.tilts:
         why = "of an arm whose joints decide this task in no regular way a route is not ruled out."
         return Verdict.UNCERTAIN, None, f"Uncertain: no route was found; {why}"
     s = setting.s[stations(len(setting.s), ONE_POSE_AT)]
@@ -151,9 +151,11 @@ def _at_one_pose(task: Task) -> tuple[Verdict, Blocked | None, str]:
             )
             return Verdict.IMPOSSIBLE, blocked, reason
     which = "none was proved to be one" if empty.any() else "none is one"
-    free = plural(setting.spare, "coordinate")
+    one = setting.spare == 1
+    free = f"{plural(setting.spare, 'coordinate')} {'is' if one else 'are'}"
+    what = "where the tool leans as the joints decide" if one else "with more than one"
     reason = (
-        f"Uncertain: no route was found; {free} are free, and with more than one a route is ruled out only by a pose "
+        f"Uncertain: no route was found; {free} free, and {what} a route is ruled out only by a pose "
         f"that no posture inside the limits holds: of the {len(s)} looked at {which}."
     )
     return Verdict.UNCERTAIN, None, reason

@@ -98,7 +98,7 @@ class Route:
         path: (N, 4, 4) the poses asked for, m.
         s: (N,) path parameter of the points, 0 to 1.
         q: (N, n) joint vectors, whole turns continuous, rad or m; (0, n) where no route was found.
-        turn: (N,) turn of the tool about its free axis, rad, continuous; fk(q) is the pose turned by it, then tilted.
+        turn: (N,) turn of the tool about its free axis, rad, continuous; fk(q) is the pose tilted, then turned by it.
         tilt: (N,) by how much the axis is tilted, rad.
         verdict: FOUND, IMPOSSIBLE or UNCERTAIN.
         blocked: Where no route goes on, or None.

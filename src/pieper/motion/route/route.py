@@ -10,7 +10,7 @@ from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.joints import inside
 from pieper.kinematics.newton import newton
-from pieper.kinematics.pose import PoseLike, inverse, rotation_about, rotation_x
+from pieper.kinematics.pose import PoseLike
 from pieper.motion.path import checked_path
 from pieper.motion.route.along_front import search_on_front
 from pieper.motion.route.bound import least_motion
@@ -23,6 +23,7 @@ from pieper.motion.route.refusal import refusal
 from pieper.motion.route.result import Route
 from pieper.motion.route.search import Found, Task, search, search_between
 from pieper.motion.route.setting import Setting, setting
+from pieper.motion.route.swarm import search_by_swarm
 from pieper.solver.plan.plan import Plan
 from pieper.tolerances import POSTURE_ON_PATH, ROUTE_SAME_POSE, SAME_SOLUTION
 
@@ -71,7 +72,8 @@ def route(
         if posture is not None and kept.anything:
             kept.check(world, posture[: plan.n], what)
     task = Task(world, cost == TIME, ends, step, kept)
-    found = search(task)
+    found = search_by_swarm(task) if world.thin else None
+    found = search(task) if found is None else found
     bound = least_motion(world, cost == TIME)
     if found is None:
         verdict, blocked, reason = refusal(task, thorough=False)
@@ -79,6 +81,8 @@ def route(
             found = search_on_front(task)
             if found is None:
                 verdict, blocked, reason = refusal(task, thorough=True)
+        if verdict is Verdict.UNCERTAIN and found is None and world.tilts and not world.thin:
+            found = search_by_swarm(task)
         if verdict is Verdict.UNCERTAIN and found is None:
             found = search_between(task)
         if found is not None:
@@ -161,21 +165,11 @@ def _end(world: Setting, q: ArrayLike | None, at: int, what: str) -> Array | Non
             joint=plan.names[j],
         )
     T = world.path[at]
-    x = np.zeros(world.m)
-    x[: plan.n] = joints
-    left = inverse(T) @ plan.chain.native.fk(joints)
+    x = world.whole(joints, T)
     if world.turns:
-        tilt = left[:3, 2]
         # where the axis is not free to tilt, what it is tilted by counts as missed below
-        across, along = -np.arcsin(np.clip(tilt[0], -1, 1)), np.arctan2(tilt[1], tilt[2])
-        turned = left[:3, :3]
-        if world.tilts:
-            x[-2:] = across, along
-            turned = (rotation_x(-along)[:3, :3] @ rotation_about(np.array([0.0, 1.0, 0.0]), -across)).T @ turned
-        angle = np.arctan2(turned[1, 0] - turned[0, 1], turned[0, 0] + turned[1, 1])
-        # fk(x) turns on by the virtual joint: it undoes what the tool was turned by
+        angle = -x[plan.n]
         low, high = world.limits[plan.n]
-        x[plan.n] = -angle
         turns = np.arange(-2, 3) * 2 * np.pi
         fits = x[plan.n] + turns
         good = fits[(fits >= low - POSTURE_ON_PATH) & (fits <= high + POSTURE_ON_PATH)]

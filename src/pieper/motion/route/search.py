@@ -88,7 +88,7 @@ def search(task: Task, ladders: int = len(FINER)) -> Found | None:
             each = max(1, -(-DENSE // (N - 1)))
             at = np.append((np.arange(N - 1)[:, None] + np.arange(each) / each).ravel(), N - 1.0)
         ladder = _ladder(task, cells, at)
-        slow = _slow(task, at) if setting.spare == 1 and not fixed else _upright(task, at)
+        slow = _slow(task, at) if setting.spare == 1 and not fixed and not setting.tilts else _upright(task, at)
         found = climbed_and_carried(task, cells, ladder, slow)
         if fixed and (found is None or not one_branch(setting, found.x)):
             found = _cheapest_branch(task, cells)
@@ -177,10 +177,10 @@ def _upright(task: Task, at: Array) -> Array | None:
     return _between(np.hstack([found.x, np.zeros((len(found.x), 2))]), np.arange(len(found.x), dtype=float), at)
 
 
-def dense(task: Task, least: int, most: int) -> tuple[Task, int]:
-    """Return the task with so many points from each of the path's to the next that there are `BETWEEN` in all."""
+def dense(task: Task, least: int, most: int, wanted: int = BETWEEN) -> tuple[Task, int]:
+    """Return the task with so many points from each of the path's to the next that there are `wanted` in all."""
     setting = task.setting
-    each = int(np.clip(-(-BETWEEN // (len(setting.path) - 1)), least, most))
+    each = int(np.clip(-(-wanted // (len(setting.path) - 1)), least, most))
     part = np.arange(each) / each
     s = np.append((setting.s[:-1, None] + np.diff(setting.s)[:, None] * part).ravel(), setting.s[-1])
     poses = setting.at(s)

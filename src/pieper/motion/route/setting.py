@@ -11,7 +11,7 @@ from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import newton_quick
-from pieper.kinematics.pose import rotation_about
+from pieper.kinematics.pose import inverse, rotation_about, rotation_x
 from pieper.motion.path import shortest_turn
 from pieper.motion.route.freedom import Freedom
 from pieper.solver.plan.plan import Plan
@@ -122,7 +122,13 @@ class Setting:
     @cached_property
     def spare(self) -> int:
         """How many of the coordinates are free to choose at a pose."""
-        return len(self.curves.redundancy) + (2 if self.tilts else 0)
+        # a tilt of an arm that leans its tool only as its joints decide is not two more
+        return self.m - generic_rank(self.chain.uncoupled) if self.tilts else len(self.curves.redundancy)
+
+    @property
+    def thin(self) -> bool:
+        """Whether the tool leans only as the arm's own joints decide: no even grid of turns and tilts is held."""
+        return self.tilts and self.spare < len(self.curves.redundancy) + 2
 
     @cached_property
     def limits(self) -> Array:
@@ -146,6 +152,24 @@ class Setting:
     def turn_of(self, x: Array) -> Array:
         """Return the turn (...) about the tool's axis of x (..., m), rad; zero where it is none's choice."""
         return -x[..., self.n] if self.turns else np.zeros(x.shape[:-1])
+
+    def whole(self, q: Array, T: Array) -> Array:
+        """Return all coordinates (..., m) of joints q (..., n) at poses T: what the tool is turned and tilted by."""
+        x = np.zeros((*q.shape[:-1], self.m))
+        x[..., : self.n] = q
+        if not self.turns:
+            return x
+        left = inverse(T) @ self.plan.chain.native.fk(q)
+        turned, axis = left[..., :3, :3], left[..., :3, 2]
+        if self.tilts:
+            x[..., -2] = -np.arcsin(np.clip(axis[..., 0], -1, 1))
+            x[..., -1] = np.arctan2(axis[..., 1], axis[..., 2])
+            back = rotation_x(-x[..., -1])[..., :3, :3] @ rotation_about(np.array([0.0, 1.0, 0.0]), -x[..., -2])
+            turned = np.swapaxes(back, -1, -2) @ turned
+        # fk(x) turns on by the virtual joint: it undoes what the tool was turned by
+        turn = turned[..., 1, 0] - turned[..., 0, 1], turned[..., 0, 0] + turned[..., 1, 1]
+        x[..., self.n] = -np.arctan2(*turn)
+        return x
 
     def tilt_of(self, x: Array) -> Array:
         """Return by how much the tool's axis is tilted (...), rad."""
