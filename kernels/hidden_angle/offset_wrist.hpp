@@ -225,14 +225,15 @@ Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F slo
     unclear = !(seen.u > kHiddenAside) | !(farther > kHiddenRoom * size_of(now.on)) | !(nearer < kHiddenSide * farther);
   }
   const F size = size_of(now.on);
-  F sign, before, change;
+  F sign(1.0), before(0.0), change(0.0);
+  auto done = mask_of<F>(false);  // such lanes stay as they are, whatever the others need
   // steps of Newton's on d.w - g, which is less troubled by rounding than N: N = -|v|^2 times it times the same of the triangle's other
   // shape. The polynomial's root is so near as a rule that one is enough; where roots are close the slope is taken anew, by a secant.
   for (int step = 0; step < 4; ++step) {
     const Triangle<F> t = triangle_of(arm, now.on);
     const auto first = abs(t.up) <= abs(t.down);
     const F own = select(first, t.up, t.down), other = select(first, t.down, t.up), value = own * t.V * other;
-    sign = select(first, F(1.0), F(-1.0));
+    sign = select(done, sign, select(first, F(1.0), F(-1.0)));
     if (step) {
       const F secant = (before - value) / select(change == 0.0, F(kTiny), change);
       slope = select(abs(change) > kHiddenNearRoot, secant, slope);
@@ -241,12 +242,14 @@ Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F slo
                 !(abs(other) > kHiddenSlope * l);
     }
     before = value;
-    change = value / select(slope == 0.0, F(kTiny), slope);
+    change = select(done, change, value / select(slope == 0.0, F(kTiny), slope));
     unclear = unclear | !(abs(change) < (step ? kHiddenLastStep : kHiddenFirstStep));
-    theta = advanced(theta, change);
+    const Motion<F> next = advanced(theta, change);
+    theta = {select(done, theta.c, next.c), select(done, theta.s, next.s)};
     seen = see_at(arm, target, theta);
     now = on_side(arm, seen, side);
-    if (all((abs(change) < kHiddenNearRoot) | unclear)) break;
+    done = done | (abs(change) < kHiddenNearRoot) | unclear;
+    if (all(done)) break;
   }
   unclear = unclear | !(abs(change) < kHiddenNearRoot);
   const Triangle<F> t = triangle_of(arm, now.on);
