@@ -8,7 +8,7 @@
 #   make format   put Python, kernels and page into their style
 #   make dev      an environment for work in place (.venv-dev), the kernels built for one instruction set
 #   make pages    write the pages of docs/ that are made from benchmarks/results
-#   make site     build the page without a server (out/site), which opens from a file
+#   make site     build the page without a server (out/site), which opens from a file (ARMS="my.toml" sets robot files on it)
 #   make docs     build the site (out/docs), its pictures drawn by the code on its pages; a warning is an error
 #   make wheels   build the wheels that are handed out (dist), audit them, try them on every Python of this machine
 #   make bench    measure beside other solvers (installed in environments of their own)
@@ -88,7 +88,7 @@ dev:
 # The compiler of the page's kernels is an extra that nothing else asks for.
 site: $(VENV)/.installed-for-tests
 	$(BIN)/python -m tests.tools.requirements wasm | xargs $(BIN)/python -m pip install --quiet --disable-pip-version-check
-	$(BIN)/python -m static_page.build out/site
+	$(BIN)/python -m static_page.build out/site $(if $(ARMS),--own $(ARMS))
 
 bench: $(VENV)/.installed-for-tests
 	$(BIN)/python -m benchmarks.measure.speed

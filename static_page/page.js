@@ -1,7 +1,8 @@
 // The page without a server: an arm's script is fetched as a script, so that it works from a file; solver.js solves it with the
 // library's own kernels.
 "use strict";
-const NAMES = /* NAMES */ [];
+// [name, script, whether it is a robot file's], one arm each; filled in where the folder is built.
+const NAMES = [];
 const $ = (id) => document.getElementById(id);
 const state = { arm: null, q: [], view: { yaw: -0.9, tilt: 0.35 } };
 const known = {};
@@ -44,7 +45,7 @@ const axes = (arm, q) => (arm.gears ? arm.gears.map((row) => row.reduce((sum, x,
 
 function table(element, rows) {
   const most = Math.max(...rows.flat().map(Math.abs));
-  const text = (x) => (Math.abs(x) < 1e-12 * Math.max(most, 1) ? "0" : x.toFixed(4));
+  const text = (x) => (Math.abs(x) < 1e-12 * Math.max(most, 1) ? "0" : x.toFixed(4).replace("-0.0000", "0.0000"));
   element.innerHTML = rows.map((row) => `<tr>${row.map((x) => `<td>${text(x)}</td>`).join("")}</tr>`).join("");
 }
 
@@ -184,7 +185,14 @@ function choose(name) {
   document.head.append(script);
 }
 
-$("arm").innerHTML = NAMES.map(([name]) => `<option>${name}</option>`).join("");
+for (const [label, own] of [["Own arms", true], ["Catalogue", false]]) {
+  const names = NAMES.filter((arm) => arm[2] === own).map(([name]) => new Option(name, name));
+  if (!names.length) continue;
+  const group = document.createElement("optgroup");
+  group.label = label;
+  group.append(...names);
+  $("arm").append(group);
+}
 $("arm").addEventListener("change", (event) => choose(event.target.value));
 // The tool goes where the pointer drags it, turned as it is: of the solutions inside the limits the nearest to where the arm is.
 function reachFor([x, y]) {
@@ -226,6 +234,6 @@ for (const end of ["pointerup", "pointercancel"])
   });
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => state.arm && draw());
 window.addEventListener("resize", () => state.arm && draw());
-const start = NAMES.find(([name]) => name === "denso-vp6242") || NAMES[0];
+const start = NAMES.find((arm) => arm[2]) || NAMES.find(([name]) => name === "denso-vp6242") || NAMES[0];
 $("arm").value = start[0];
 choose(start[0]);

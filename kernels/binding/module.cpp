@@ -12,6 +12,7 @@
 #include "binding/route.hpp"
 #include "binding/time_law.hpp"
 #include "binding/unfold.hpp"
+#include "binding/usual.hpp"
 
 namespace {
 
@@ -118,6 +119,7 @@ NB_MODULE(_kernel, m) {
   bind_nearer(m);
   bind_onto(m);
   bind_unfold(m);
+  bind_usual(m);
   bind_time_law(m);
   bind_collision(m);
   bind_route(m);

@@ -6,7 +6,8 @@
 
 namespace {
 
-nb::object onto(const Forward& arm, nb::handle start, nb::handle poses, int steps, double cutoff, double longest) {
+nb::tuple onto(const Forward& arm, nb::handle start, nb::handle poses, int steps, double cutoff, double longest,
+               double regular) {
   const pieper::PlainChain chain = arm.plain();
   const npy_intp n = chain.n;
   nb::object q = float_array(start, "q"), T = float_array(poses, "T");
@@ -15,18 +16,21 @@ nb::object onto(const Forward& arm, nb::handle start, nb::handle poses, int step
   if (count < 0 || PyArray_SIZE(as_array(q)) != count * n || (numbers != 16 && numbers != 16 * count))
     throw nb::value_error("q must be (k, n), T (4, 4) or (k, 4, 4).");
   nb::object out = new_array(2, PyArray_DIMS(as_array(q)), NPY_DOUBLE);
-  double* rows = static_cast<double*>(PyArray_DATA(as_array(out)));
+  nb::object left = new_array(1, &count, NPY_DOUBLE);
+  double *rows = static_cast<double*>(PyArray_DATA(as_array(out))),
+         *misses = static_cast<double*>(PyArray_DATA(as_array(left)));
   std::copy(doubles(q), doubles(q) + count * n, rows);
   {
     nb::gil_scoped_release release;
-    pieper::onto(chain, {steps, cutoff, longest}, count, doubles(T), numbers == 16, rows);
+    pieper::onto(chain, {steps, cutoff, longest, regular}, count, doubles(T), numbers == 16, rows, misses);
   }
-  return out;
+  return nb::make_tuple(out, left);
 }
 
 void bind_onto(nb::module_& m) {
   m.def("onto", &onto, nb::arg("chain"), nb::kw_only(), nb::arg("q"), nb::arg("T"), nb::arg("steps"), nb::arg("cutoff"),
-        nb::arg("longest"), "Newton's method from q (k, n) onto T (4, 4) or (k, 4, 4): (k, n).");
+        nb::arg("longest"), nb::arg("regular"),
+        "Newton's method from q (k, n) onto T (4, 4) or (k, 4, 4): (k, n), and what is missed then (k,).");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include "code/recording.hpp"
 
@@ -86,6 +87,12 @@ bool record_parallel(nb::dict given, Rows& out) {
   return true;
 }
 
+nb::list listed(const Tape& own) {
+  nb::list nodes;
+  for (const Node& n : own.nodes) nodes.append(nb::make_tuple(n.op, n.a, n.b, n.c, n.value));
+  return nodes;
+}
+
 nb::object record(const std::string& family, nb::dict fields) {
   Tape own;
   tape = &own;
@@ -95,13 +102,13 @@ nb::object record(const std::string& family, nb::dict fields) {
   else if (family == SphericalWrist::name) done = record_group<SphericalWrist, cf::SphericalWristLanes>(fields, rows);
   else if (family == ThreeParallel::name) done = record_group<ThreeParallel, cf::ThreeParallelLanes>(fields, rows);
   if (!done) return nb::none();
-  nb::list nodes, q, valid;
-  for (const Node& n : own.nodes) nodes.append(nb::make_tuple(n.op, n.a, n.b, n.c, n.value));
+  nb::list q, valid, loops;
+  for (const Loop& l : own.loops) loops.append(nb::make_tuple(l.steps, l.start, l.next, l.moving));
   for (int m = 0; m < 8; ++m) {
     for (int j = 0; j < 6; ++j) q.append(rows.q[m][j].i);
     valid.append(rows.valid[m].i);
   }
-  return nb::make_tuple(nodes, q, valid, rows.unclear.i);
+  return nb::make_tuple(listed(own), q, valid, rows.unclear.i, loops);
 }
 
 }  // namespace
@@ -110,6 +117,6 @@ NB_MODULE(_code, m) {
   m.doc() = "Closed forms as lists of operations.";
   m.def("record", &record, nb::arg("family"), nb::arg("fields"),
         "The operations of a family's closed form for one arm: nodes (operation, a, b, c, value), rows, valid, "
-        "unclear; None "
+        "unclear, loops (steps, start, next, moving); None "
         "where the straight road is closed.");
 }

@@ -1,7 +1,7 @@
 // A number type that records: a kernel run with it does no arithmetic but writes down what it would do, operation by operation.
 //
 // Nodes are kept once (hash consing), constants are folded, and both ways of every `any` are taken: a kernel has no other
-// branch on a value. Included before the kernels, after lanes.hpp; `recording_math.hpp` follows math.hpp.
+// branch on a value, and a loop that values end is `repeat`. Included before the kernels, after lanes.hpp; `recording_math.hpp` follows math.hpp.
 #pragma once
 
 #include <cmath>
@@ -20,8 +20,17 @@ struct Node {
   double value;
 };
 
+// A step that is taken again and again: what goes in, what one step makes of it, and whether anything still moves (nodes). Inside,
+// the state is "carry" (loop, place); behind it, "after" (loop, place).
+struct Loop {
+  int steps;
+  std::vector<int> start, next;
+  int moving;
+};
+
 struct Tape {
   std::vector<Node> nodes;
+  std::vector<Loop> loops;
   std::map<std::tuple<std::string, int, int, int, double>, int> known;
 
   int add(const std::string& op, int a = -1, int b = -1, int c = -1, double value = 0) {
@@ -139,6 +148,22 @@ inline Recorded abs(Recorded a) { return one_argument("abs", a, std::fabs); }
 inline Recorded sqrt(Recorded a) { return one_argument("sqrt", a, std::sqrt); }
 inline Recorded max(Recorded a, Recorded b) { return select(a > b, a, b); }
 inline Recorded min(Recorded a, Recorded b) { return select(a < b, a, b); }
+// One step is written down.
+template <int Count, class Step> void repeat(int steps, Recorded (&state)[Count], Step step) {
+  const int own = static_cast<int>(tape->loops.size());
+  tape->loops.push_back({steps, {}, {}, -1});
+  std::vector<int> start, next;
+  for (int k = 0; k < Count; ++k) {
+    start.push_back(state[k].i);
+    state[k] = Recorded::of(tape->add("carry", own, k));
+  }
+  const RecordedMask moving = step();
+  for (int k = 0; k < Count; ++k) {
+    next.push_back(state[k].i);
+    state[k] = Recorded::of(tape->add("after", own, k));
+  }
+  tape->loops[own] = {steps, start, next, moving.i};
+}
 inline double lane(Recorded, int) { return 0; }
 inline void set_lane(Recorded&, int, double) {}
 

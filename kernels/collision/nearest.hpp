@@ -19,7 +19,7 @@ inline void collision_nearest(const CollisionModel& m, const double* q, long cou
     place_moving(m, q + first * m.n, lanes, wide, [](int, const RigidT<Wide>&) {});
     Wide best(kEndless), which(0.0);
     for (int k = 0; k < m.pairs; ++k) {
-      const Wide d = pair_apart(m, k, wide).distance;
+      const Wide d = pair_distance(m, k, wide);
       const auto nearer = d < best;
       best = select(nearer, d, best);
       which = select(nearer, Wide(static_cast<double>(k)), which);

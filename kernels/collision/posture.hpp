@@ -70,4 +70,13 @@ template <class F> PIEPER_INLINE Apart<F> pair_apart(const CollisionModel& m, in
   return gap;
 }
 
+// Its signed distance alone.
+template <class F> PIEPER_INLINE F pair_distance(const CollisionModel& m, int pair, const Placed<F>* at) {
+  const int i = m.pair[2 * pair], j = m.pair[2 * pair + 1];
+  const std::uint8_t plain = static_cast<std::uint8_t>(Solid::SEGMENT);
+  if (m.kind[i] != plain || m.kind[j] != plain) return pair_apart(m, pair, at).distance;
+  const SegmentT<F> one = {at[i].at.t, at[i].half}, other = {at[j].at.t, at[j].half};
+  return segments_apart(one, other, m.half[3 * i + 2], m.half[3 * j + 2]) - (m.radius[i] + m.radius[j]);
+}
+
 }  // namespace pieper::PIEPER_ISA

@@ -35,34 +35,43 @@ template <class F> PIEPER_INLINE Vec3T<F> along_or_across(Vec3T<F> v, Vec3T<F> u
   return chosen(sv > F(0.0), over(F(1.0), sqrt(sv)) * v, side);
 }
 
-// The nearest pair is where the lines are nearest, or has an end of a segment in it. v is made square to u first: next to
-// parallel, the two unknowns of the plain system are worth a square of the angle, these are worth the angle itself.
-template <class F> PIEPER_INLINE Apart<F> apart(const SegmentT<F>& one, const SegmentT<F>& other) {
+// Parts s and t of two half segments u and v at which they are nearest, and the way from the second's point to the first's.
+template <class F> struct Nearest {
+  F s, t;
+  Vec3T<F> gap;
+};
+
+// t where the lines are nearest, held to the segment (over_A, over_E: 1 / u.u, 1 / v.v); s is the best for it, and t the best for s (Ericson 2005, 5.1.9: of two
+// steps in turn from there none is left to gain). v is made square to u first: next to parallel, the two unknowns of the
+// plain system are worth a square of the angle, these are worth the angle itself.
+template <class F>
+PIEPER_INLINE Nearest<F> nearest_of(const SegmentT<F>& one, const SegmentT<F>& other, F over_A, F over_E) {
   const Vec3T<F> u = one.half, v = other.half, w = one.centre - other.centre;
-  const F one_ = F(1.0), A = dot(u, u), E = dot(v, v), B = dot(u, v), C = dot(u, w), D = dot(v, w);
-  const F a = one_ / max(A, F(kTiny)), e = one_ / max(E, F(kTiny));
-  const Vec3T<F> across = v - (B * a) * u, off = w - (C * a) * u;
-  F t = clamped(over(dot(off, across), dot(across, across)), -1.0 * one_, one_);
-  F s = clamped((B * t - C) * a, -1.0 * one_, one_);
-  auto between = [&](F s, F t) { return w + s * u - t * v; };
-  Vec3T<F> best = between(s, t);
-  F square = dot(best, best);
-  auto consider = [&](F s1, F t1) {
-    const Vec3T<F> gap = between(s1, t1);
-    const F size = dot(gap, gap);
-    const Mask<F> nearer = size < square;
-    square = select(nearer, size, square);
-    s = select(nearer, s1, s);
-    t = select(nearer, t1, t);
-    best = chosen(nearer, gap, best);
-  };
-  for (double end : kSides) {
-    consider(F(end), clamped((D + end * B) * e, -1.0 * one_, one_));
-    consider(clamped((end * B - C) * a, -1.0 * one_, one_), F(end));
-  }
+  const F end = F(1.0), B = dot(u, v), C = dot(u, w), D = dot(v, w);
+  const Vec3T<F> across = v - (B * over_A) * u, off = w - (C * over_A) * u;
+  const F lines = clamped(over(dot(off, across), dot(across, across)), -1.0 * end, end);
+  const F s = clamped((B * lines - C) * over_A, -1.0 * end, end);
+  const F t = clamped((B * s + D) * over_E, -1.0 * end, end);
+  return {s, t, w + s * u - t * v};
+}
+
+// The distance of two segments whose half lengths are known to be so long.
+template <class F>
+PIEPER_INLINE F segments_apart(const SegmentT<F>& one, const SegmentT<F>& other, double half, double half_of_other) {
+  const Vec3T<F> gap =
+      nearest_of(one, other, F(over(1.0, half * half)), F(over(1.0, half_of_other * half_of_other))).gap;
+  return sqrt(dot(gap, gap));
+}
+
+template <class F> PIEPER_INLINE Apart<F> apart(const SegmentT<F>& one, const SegmentT<F>& other) {
+  const F A = dot(one.half, one.half), E = dot(other.half, other.half);
+  const Nearest<F> at = nearest_of(one, other, over(F(1.0), A), over(F(1.0), E));
+  const Vec3T<F> w = one.centre - other.centre;
+  const F square = dot(at.gap, at.gap);
   // where they meet, the difference is rounding and has no direction
   const Mask<F> away = square > kBodiesMeet * (A + E + dot(w, w));
-  return {sqrt(square), one.centre + s * u, other.centre + t * v, along_or_across(chosen(away, best, cross(u, v)), u)};
+  const Vec3T<F> normal = along_or_across(chosen(away, at.gap, cross(one.half, other.half)), one.half);
+  return {sqrt(square), one.centre + at.s * one.half, other.centre + at.t * other.half, normal};
 }
 
 // ---- a segment p + t d, t in [-1, 1], and a body about the origin -------------------------------------------------------

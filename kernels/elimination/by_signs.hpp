@@ -7,7 +7,7 @@
 #pragma once
 
 #include "elimination/solve.hpp"
-#include "hidden_angle/trigonometric_roots.hpp"
+#include "hidden_angle/refined_roots.hpp"
 
 namespace pieper::PIEPER_ISA::general {
 
@@ -48,8 +48,8 @@ void enter_roots(const Model& model, const Eliminated<F>& poses, const trigonome
   pick_lanes<G, F>(eq, poses.eq, pick);
   pick_lanes<G, F>(right, poses.right, pick);
   pick_lanes<G, F>(link, poses.link, pick);
-  G c3, s3;
-  trigonometric::refine(own, roots.list, first, c3, s3);
+  G c3, s3, slope;
+  trigonometric::refine(own, roots.list, first, c3, s3, slope);
   Motion<G> q[6];
   complete_candidate(eq, right, link, v.roles, v.chart, v.layout, v.swap, start_vector(0), c3, s3, q);
   const Closure<G> end = polish(link, v.roles, q, 8);

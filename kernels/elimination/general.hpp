@@ -44,6 +44,12 @@ inline bool agreed(const Variant& v, const Report& report, const Found& found, i
          (v.open > 0 && !report.doubtful && !report.strayed && report.lost == 0 && even(found));
 }
 
+// The same of the pose itself. A nearby arm is no witness where two solutions may be about to merge: of it they may be complex. Where
+// there are no other witnesses nothing is certain anyhow.
+inline bool witnessed(const Model& model, const Variant& v, const Report& report, const Found& found, int before) {
+  return trusted(v, report) && (!report.blind || model.variant[0].arm) && agreed(v, report, found, before);
+}
+
 // Solutions of a neighbouring pose, polished onto this one.
 inline void polish_onto(const Model& model, const Variant& v, const Rigid& pose, const Found& from, Found& into) {
   using G = Lanes<PIEPER_LANES>;
@@ -82,8 +88,7 @@ inline bool escalate(const Model& model, const Rigid& pose, Found& found, bool* 
     solve_variant(model, model.variant[n], pose, 1, &found, &report);
     // solutions fetched from nearby arms are believed when all of them agree
     const bool last = n + 1 == model.variants;
-    if (trusted(model.variant[n], report) && agreed(model.variant[n], report, found, before) &&
-        (last || model.variant[0].arm == 0)) {
+    if (witnessed(model, model.variant[n], report, found, before) && (last || model.variant[0].arm == 0)) {
       *healthy = model.variant[n].arm == 0 && report.size > kGeneralMarked * model.variant[n].typical;
       return true;
     }
@@ -96,7 +101,7 @@ inline bool escalate(const Model& model, const Rigid& pose, Found& found, bool* 
     fill_constants(model, v);
     const int before = found.count;
     solve_variant(model, v, pose, 1, &found, &report);
-    if (agreed(v, report, found, before)) return true;
+    if (witnessed(model, v, report, found, before)) return true;
   }
   // The elimination is singular here for every variant: its neighbours need not be. Their solutions move by the size of the
   // perturbation, or its root where two merge, and Newton brings them back.

@@ -145,6 +145,11 @@ inline double imaginary_part(double a, double b) {
   if (!(up < far * down && down < far * up)) return __builtin_inf();
   return 0.5 * __builtin_log(up / (down > kTiny ? down : kTiny));
 }
+// Whether the angle's imaginary part is smaller than `within`: one of a nearby arm that may be real for this one.
+inline bool nearly_real(double a, double b, double within) {
+  const double up = a * a + (1 + b) * (1 + b), down = a * a + (1 - b) * (1 - b), far = __builtin_exp(2 * within);
+  return up < far * down && down < far * up;
+}
 // The real part, without the chart's.
 inline double real_part(double a, double b) {
   return b == 0 ? 2 * __builtin_atan(a) : __builtin_atan2(2 * a, 1 - a * a - b * b);

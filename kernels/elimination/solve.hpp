@@ -70,6 +70,7 @@ struct Report {
   int real;        // real eigenvalues
   int unresolved;  // of them without a solution of their own
   int nearly;      // complex ones near enough to the real line to be tried as a double root
+  int blind;       // of a nearby arm, complex ones that may be real for the arm itself
   int lost;        // eigenvalues, real or nearly, that share a regular solution with another, or have none
   bool doubtful;   // eigenvalues missing or the matrix meaningless
   bool strayed;    // the eigenvalues are not the zeros of the determinant: they have lost their digits
@@ -162,10 +163,11 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
     // a determinant that has lost its own digits is no measure
     const bool astray =
         size > kGeneralTrusted * v.typical && !(strayed(eigenvalues[i], re[i], im[i], around) < kGeneralStrayed);
-    report[i] = {0, 0, 0, 0, eigenvalues[i] < S || !(size > kGeneralVanishing * v.typical), astray, 0, size};
+    report[i] = {0, 0, 0, 0, 0, eigenvalues[i] < S || !(size > kGeneralVanishing * v.typical), astray, 0, size};
     const int first = count;
     for (int k = 0; k < eigenvalues[i]; ++k) {
       const double a = re[i][k], b = im[i][k], imaginary = imaginary_part(a, b);
+      report[i].blind += v.arm && b != 0 && nearly_real(a, b, kGeneralBlind);
       if (imaginary == 0) ++report[i].real;
       else if (!(__builtin_fabs(imaginary) < kGeneralNearlyReal)) continue;
       else ++report[i].nearly;

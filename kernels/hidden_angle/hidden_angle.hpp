@@ -6,13 +6,14 @@
 //   degree, samples (more than 2 degree + 1), both (whether a root has a solution on either side), slots;
 //   Arm: its constants, doubles only; Target<F>: a pose as the arm sees it, numbers of type F only;
 //   see(arm, pose), polynomial(arm, target, c, s), wanting(arm, target): whether the polynomial may not know all solutions,
-//   complete(arm, target, c, s, side, q): the joints from a root, side +1 or -1, or 0 where it must find out; returns what is not clear.
+//   complete(arm, target, root, slope, side, q): the joints from a root and the polynomial's slope there, side +1 or -1, or 0 where it must
+//   find out; returns what is not clear.
 // Templates over the number type, used for lanes only; the general solver is the careful road.
 #pragma once
 
 #include "closed_form/lanes/group.hpp"
 #include "elimination/entry.hpp"
-#include "hidden_angle/trigonometric_roots.hpp"
+#include "hidden_angle/refined_roots.hpp"
 
 namespace pieper::PIEPER_ISA::hidden_angle {
 
@@ -66,22 +67,35 @@ template <class F, class Family> struct Candidates {
   typename Family::template Target<F> target;
   RigidT<F> tool;
   Motion<F> root;
-  F side;
+  F slope, side;
 };
+
+// By how much the chain as described misses the tool's place and two columns of its rotation, which fix the third: read from its end.
+template <class F>
+PIEPER_INLINE F missed_by(const HiddenAngle& head, const RigidT<F>* truth, const Motion<F>* q, const RigidT<F>& tool) {
+  Vec3T<F> x = truth[6].x, y = truth[6].y, t = truth[6].t;
+  for (int j = 5; j >= 0; --j) {
+    const Motion<F> m = q[j];
+    const RigidT<F>& link = truth[j];
+    if (head.slides[j]) t.z += m.c;
+    else {
+      const auto turned = [&](Vec3T<F> v) -> Vec3T<F> { return {m.c * v.x - m.s * v.y, m.s * v.x + m.c * v.y, v.z}; };
+      x = turned(x), y = turned(y), t = turned(t);
+    }
+    x = turn(link, x), y = turn(link, y), t = move(link, t);
+  }
+  return max(max(largest(x - tool.x), largest(y - tool.y)), largest(t - tool.t));
+}
 
 // Candidates completed, checked and entered; the poses of those that are not clear are marked.
 template <class F, class Family> void enter(const HiddenAngle& head, const typename Family::Arm& arm,
                                             const RigidT<F>* truth, const Candidates<F, Family>& x, const int* pose,
                                             int used, Found<Family::slots>* found, unsigned& unclear_poses) {
   Motion<F> q[6];
-  auto unclear = Family::complete(arm, x.target, x.root, x.side, q);
-  const RigidT<F> end = walk(
-      6, truth[0], [&](int j) -> const RigidT<F>& { return truth[j + 1]; }, [&](int j) { return q[j]; }, head.slides,
-      [](int, const RigidT<F>&) {});
+  auto unclear = Family::complete(arm, x.target, x.root, x.slope, x.side, q);
+  const F miss = missed_by(head, truth, q, x.tool);
   F value[6];
   for (int j = 0; j < 6; ++j) value[j] = head.slides[j] ? q[j].c * head.length : atan2(q[j].s, q[j].c);
-  const F miss = max(max(largest(end.x - x.tool.x), largest(end.y - x.tool.y)),
-                     max(largest(end.z - x.tool.z), largest(end.t - x.tool.t)));
   unclear = unclear | !(miss <= 0.5 * kClosedVerified);
   const unsigned bits = bits_of(unclear);
   F ordered[6];
@@ -127,7 +141,7 @@ template <class F, class Family> unsigned solve_group(const HiddenAngle& head, c
     pick_lanes<F, F>(own, series, pick);
     pick_lanes<F, F>(x.target, target, pick);
     pick_lanes<F, F>(x.tool, tool, pick);
-    trigonometric::refine(own, list, first, x.root.c, x.root.s);
+    trigonometric::refine(own, list, first, x.root.c, x.root.s, x.slope);
     x.side = F(Family::both ? 1.0 : 0.0);
     enter<F, Family>(head, arm, truth, x, of, lanes, found, unclear);
     if (!Family::both) continue;
@@ -160,6 +174,35 @@ template <int Slots> int joined(const HiddenAngle& head, double* rows, int n, co
   return n;
 }
 
+// Writes the rows of a pose in order (chain/row_order.hpp), zeros after them.
+template <int Slots>
+PIEPER_INLINE void put_rows(const Found<Slots>& found, const std::uint8_t* slides, double* q, std::uint8_t* valid) {
+  constexpr int W = PIEPER_LANES, parts = Slots / W;
+  static_assert(Slots % W == 0);
+  using F = Lanes<W>;
+  const int n = found.count;
+  for (int m = 0; m < Slots; ++m) valid[m] = m < n;
+  for (int k = 0; k < 6 * Slots; k += W) store(q + k, F(0.0));
+  double key[Slots];
+  for (int m = 0; m < Slots; ++m) key[m] = m < n ? place(found.q[m][0], slides[0]) : kEndless;
+  F all[parts];
+  for (int k = 0; k < parts; ++k) all[k] = load<F>(key + k * W);
+  bool tie = false;
+  for (int m = 0; m < n; ++m) {
+    const F low(key[m] - kKernelRowOrder), high(key[m] + kKernelRowOrder);
+    int before = 0, with = 0;  // rows that come before this one, and those that are not clearly after it
+    for (int k = 0; k < parts; ++k) {
+      before += __builtin_popcount(bits_of(all[k] < low));
+      with += __builtin_popcount(bits_of(all[k] <= high));
+    }
+    tie |= with != before + 1;
+    __builtin_memcpy(q + 6 * before, found.q[m], sizeof(double[6]));
+  }
+  if (!tie) return;
+  __builtin_memcpy(q, found.q[0], sizeof(double[6]) * n);
+  put_in_order(q, valid, Slots, 6, slides);
+}
+
 // Poses that are not clear wait for company: the general solver takes W at a time. What was found and verified here stays.
 template <int Slots> struct Waiting {
   static constexpr int most = 64, general_slots = 16;
@@ -169,7 +212,8 @@ template <int Slots> struct Waiting {
   double T[16 * most], q[6 * general_slots * most];
   std::uint8_t valid[general_slots * most], flag[most];
 
-  void solve(const HiddenAngle& head, double* all_q, std::uint8_t* all_valid, std::uint8_t* all_flag) {
+  void solve(const HiddenAngle& head, const std::uint8_t* slides, double* all_q, std::uint8_t* all_valid,
+             std::uint8_t* all_flag) {
     if (count == 0) return;
     solve_general(*head.general, T, count, q, valid, flag);
     for (int i = 0; i < count; ++i) {
@@ -182,6 +226,7 @@ template <int Slots> struct Waiting {
       while (n < Slots && good[n]) ++n;
       n = joined(head, rows, n, own[i]);
       for (int m = 0; m < n; ++m) good[m] = 1;
+      put_in_order(rows, good, Slots, 6, slides);
       all_flag[index[i]] = static_cast<std::uint8_t>(n ? flag[i] & ~(kOutOfReach | kEdge) : flag[i]);
     }
     count = 0;
@@ -193,6 +238,8 @@ template <class Family> void solve(const HiddenAngle& head, const typename Famil
                                    long count, double* q, std::uint8_t* valid, std::uint8_t* flag) {
   constexpr int M = Family::slots;
   using F = Lanes<PIEPER_LANES>;
+  std::uint8_t slides[6];  // in the order of the rows
+  for (int j = 0; j < 6; ++j) slides[j] = head.slides[head.backward ? 5 - j : j];
   RigidT<F> truth[7];
   for (int k = 0; k < 7; ++k) truth[k] = spread<F>(read_rigid(head.links[k][0], head.length));
   Waiting<M> waiting;
@@ -218,18 +265,15 @@ template <class Family> void solve(const HiddenAngle& head, const typename Famil
         __builtin_memcpy(waiting.T + 16 * waiting.count, T + 16 * at, 16 * sizeof(double));
         waiting.own[waiting.count] = found[i];
         waiting.index[waiting.count++] = at;
-        if (waiting.count == Waiting<M>::most) waiting.solve(head, q, valid, flag);
+        if (waiting.count == Waiting<M>::most) waiting.solve(head, slides, q, valid, flag);
         continue;
       }
-      const int n = found[i].count;
-      __builtin_memcpy(q + 6 * M * at, found[i].q[0], sizeof(double[6]) * n);
-      __builtin_memset(q + 6 * (M * at + n), 0, sizeof(double[6]) * (M - n));
-      for (int m = 0; m < M; ++m) valid[M * at + m] = m < n;
+      put_rows(found[i], slides, q + 6 * M * at, valid + M * at);
       const int none = found[i].edge ? kOutOfReach | kEdge : kOutOfReach;
       flag[at] = doubt ? kDegenerate | kUncertain : found[i].count ? 0 : none;
     }
   });
-  waiting.solve(head, q, valid, flag);
+  waiting.solve(head, slides, q, valid, flag);
 }
 
 }  // namespace pieper::PIEPER_ISA::hidden_angle

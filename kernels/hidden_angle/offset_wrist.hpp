@@ -147,21 +147,6 @@ template <class F, bool Even> F polynomial(const Arm& arm, const Target<F>& t, F
   return (N.x * N.x - u2 * N.y * N.y) * rho2 * rho2;
 }
 
-// What a root says at one angle: P, axis 5 and the condition, with derivatives by the angle.
-template <class F> struct Evaluated {
-  At<F> at;
-  F rho2;
-  Dual<F> u, across, out, level, h;
-  Condition<Dual<F>> on;
-};
-template <class F>
-PIEPER_INLINE void on_side(const Arm& arm, F side, Dual<F> along, Dual<F> past, Dual<F> rho2, Evaluated<F>& x) {
-  x.u = {side * x.u.x, side * x.u.d};
-  x.across = over(x.u * along - arm.lateral * past, rho2);
-  x.out = over(x.u * past + arm.lateral * along, rho2);
-  x.on = condition(arm, x.u, x.across, x.out, x.level, x.h);
-}
-
 // All of `from` where `here`, else what `to` is; both are made of nothing but numbers of type F.
 template <class F, class X> PIEPER_INLINE void pick_where(Mask<F> here, const X& from, X& to) {
   const F* of = reinterpret_cast<const F*>(&from);
@@ -169,85 +154,107 @@ template <class F, class X> PIEPER_INLINE void pick_where(Mask<F> here, const X&
   for (unsigned k = 0; k < sizeof(X) / sizeof(F); ++k) into[k] = select(here, of[k], into[k]);
 }
 
-// side 0: the one of +1 and -1 on which the condition is nearer to holding, written to `side`; `apart` tells how much nearer.
-template <class F>
-PIEPER_INLINE Evaluated<F> evaluate(const Arm& arm, const Target<F>& target, Motion<F> theta, F& side, F* apart) {
-  Evaluated<F> x;
+// What an angle says: P, axis 5, and the condition on one side.
+template <class F> struct Seen {
+  At<F> at;
+  F along, past, rho2, over_rho2, u;  // u: without its sign
+};
+template <class F> PIEPER_INLINE Seen<F> see_at(const Arm& arm, const Target<F>& target, Motion<F> theta) {
+  Seen<F> x;
   x.at = at_angle(target, theta.c, theta.s);
-  At<F> rate;
-  for (int i = 0; i < 3; ++i) {
-    rate.P[i] = 0.0 - theta.s * target.lever[i] - theta.c * target.lever_turned[i];
-    rate.axis5[i] = 0.0 - theta.s * target.fifth[1][i] - theta.c * target.fifth[2][i];
-  }
-  const Dual<F> px = {x.at.P[0], rate.P[0]}, py = {x.at.P[1], rate.P[1]};
-  const Dual<F> ax = {x.at.axis5[0], rate.axis5[0]}, ay = {x.at.axis5[1], rate.axis5[1]};
-  const Dual<F> along = px * ax + py * ay, past = px * ay - py * ax, rho2 = px * px + py * py;
-  x.h = {x.at.P[2], rate.P[2]};
-  x.level = {x.at.axis5[2], rate.axis5[2]};
-  x.rho2 = rho2.x;
-  x.u = root(rho2 + (-arm.lateral * arm.lateral));
-  if (apart) {
-    Evaluated<F> plus = x;
-    on_side(arm, F(1.0), along, past, rho2, plus);
-    on_side(arm, F(-1.0), along, past, rho2, x);
-    const F up = abs(plus.on.N.x), down = abs(x.on.N.x);
-    const auto first = select(side == 0.0, down - up, side) >= 0.0;
-    side = select(first, F(1.0), F(-1.0));
-    apart[0] = min(up, down);
-    apart[1] = max(up, down);
-    pick_where<F>(first, plus, x);
-    return x;
-  }
-  on_side(arm, side, along, past, rho2, x);
+  const F *P = x.at.P, *e = x.at.axis5;
+  x.along = P[0] * e[0] + P[1] * e[1];
+  x.past = P[0] * e[1] - P[1] * e[0];
+  x.rho2 = P[0] * P[0] + P[1] * P[1];
+  x.over_rho2 = 1.0 / max(x.rho2, F(kHiddenOnAxis));
+  x.u = sqrt(max(x.rho2 - arm.lateral * arm.lateral, F(0.0)));
   return x;
 }
+template <class F> struct OnSide {
+  F u, across, out;
+  Condition<F> on;
+};
+template <class F> PIEPER_INLINE OnSide<F> on_side(const Arm& arm, const Seen<F>& x, F side) {
+  OnSide<F> s;
+  s.u = side * x.u;
+  s.across = (s.u * x.along - arm.lateral * x.past) * x.over_rho2;
+  s.out = (s.u * x.past + arm.lateral * x.along) * x.over_rho2;
+  s.on = condition(arm, s.u, s.across, s.out, x.at.axis5[2], x.at.P[2]);
+  return s;
+}
 
-// From a root to the joints; lanes where that is not clear are marked in the result.
-template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F side, Motion<F>* q) {
+// The two shapes of the triangle, and by how much axis 4 fails to meet axis 5 in each: d.w - g.
+template <class F> struct Triangle {
+  F V, over_V, room, bent, up, down;
+};
+template <class F> PIEPER_INLINE Triangle<F> triangle_of(const Arm& arm, const Condition<F>& c) {
+  Triangle<F> t;
+  t.V = c.v0 * c.v0 + c.v1 * c.v1;
+  t.over_V = 1.0 / max(t.V, F(kTiny));
+  t.room = arm.fore * arm.fore * t.V - c.K * c.K;
+  t.bent = sqrt(max(t.room, F(0.0)));
+  const F even = c.K * (c.v0 * c.w0 + c.v1 * c.w1), odd = t.bent * (c.v0 * c.w1 - c.v1 * c.w0);
+  t.up = (even + odd) * t.over_V - c.g;
+  t.down = (even - odd) * t.over_V - c.g;
+  return t;
+}
+
+// From a root to the joints; lanes where that is not clear are marked in the result. slope: of the polynomial.
+template <class F, bool Even>
+Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F slope, F side, Motion<F>* q) {
   const double b = arm.lateral, l = arm.fore, l2 = l * l;
-  F apart[2] = {F(0.0), F(0.0)};
-  const auto open = side == 0.0;
-  Evaluated<F> now = evaluate(arm, target, theta, side, any(open) ? apart : nullptr);
-  auto size_of = [&](const Evaluated<F>& e) {
-    return l2 * (e.on.v0.x * e.on.v0.x + e.on.v1.x * e.on.v1.x) + e.on.K.x * e.on.K.x;
-  };
-  auto unclear = !(now.u.x * side > kHiddenAside) | (open & !(apart[1] > kHiddenRoom * size_of(now))) |
-                 (open & !(apart[0] < kHiddenSide * apart[1]));
-  // a step of Newton's on N, then one on d.w - g, which is less troubled by rounding: N = -|v|^2 times it times the same of the
-  // triangle's other shape
-  F change = -now.on.N.x / select(now.on.N.d == 0.0, F(kTiny), now.on.N.d);
-  unclear = unclear | !(abs(change) < kHiddenFirstStep);
-  theta = advanced(theta, change);
-  F V, room, sign(1.0);
-  auto triangle = [&](const Evaluated<F>& e, F& up, F& down) {
-    const auto& c = e.on;
-    V = c.v0.x * c.v0.x + c.v1.x * c.v1.x;
-    room = l2 * V - c.K.x * c.K.x;
-    const F inv = 1.0 / max(V, F(kTiny)), even = c.K.x * (c.v0.x * c.w0.x + c.v1.x * c.w1.x);
-    const F odd = sqrt(max(room, F(0.0))) * (c.v0.x * c.w1.x - c.v1.x * c.w0.x);
-    up = (even + odd) * inv - c.g.x;
-    down = (even - odd) * inv - c.g.x;
-  };
-  now = evaluate<F>(arm, target, theta, side, nullptr);
-  F up, down;
-  triangle(now, up, down);
-  const auto first = abs(up) <= abs(down);
-  const F own = select(first, up, down), other = select(first, down, up), slope = now.on.N.d, size = size_of(now);
-  sign = select(first, F(1.0), F(-1.0));
-  unclear =
-      unclear | !(room > kHiddenRoom * size) | !(abs(slope) > kHiddenSlope * size) | !(abs(other) > kHiddenSlope * l);
-  change = own * V * other / select(slope == 0.0, F(kTiny), slope);
-  unclear = unclear | !(abs(change) < kHiddenLastStep);
-  theta = advanced(theta, change);
-  now = evaluate<F>(arm, target, theta, side, nullptr);
-  triangle(now, up, down);
-  const At<F>& at = now.at;
-  const F u = now.u.x, rho2 = now.rho2, across = now.across.x, out = now.out.x, level = now.level.x;
-  const F v0 = now.on.v0.x, v1 = now.on.v1.x, K = now.on.K.x, inv = 1.0 / max(V, F(kTiny)),
-          bent = sign * sqrt(max(room, F(0.0)));
-  const F d0 = (K * v0 - bent * v1) * inv, d1 = (K * v1 + bent * v0) * inv;
+  Seen<F> seen = see_at(arm, target, theta);
+  auto size_of = [&](const Condition<F>& c) { return l2 * (c.v0 * c.v0 + c.v1 * c.v1) + c.K * c.K; };
+  OnSide<F> now;
+  Mask<F> unclear;
+  if constexpr (Even) {
+    // of N rho^2 where N vanishes
+    now = on_side(arm, seen, side);
+    slope = slope * seen.over_rho2;
+    unclear = !(seen.u > kHiddenAside);
+  } else {
+    // of N(u) N(-u) rho^4 where N(u) vanishes: the root's side is the one on which the condition is nearer to holding
+    const OnSide<F> plus = on_side(arm, seen, F(1.0)), minus = on_side(arm, seen, F(-1.0));
+    const F up = abs(plus.on.N), down = abs(minus.on.N), nearer = min(up, down), farther = max(up, down);
+    const auto first = up <= down;
+    side = select(first, F(1.0), F(-1.0));
+    now = minus;
+    pick_where<F>(first, plus, now);
+    const F other = select(first, minus.on.N, plus.on.N) * (seen.rho2 * seen.rho2);
+    slope = slope / select(other == 0.0, F(kTiny), other);
+    unclear = !(seen.u > kHiddenAside) | !(farther > kHiddenRoom * size_of(now.on)) | !(nearer < kHiddenSide * farther);
+  }
+  const F size = size_of(now.on);
+  F sign, before, change;
+  // steps of Newton's on d.w - g, which is less troubled by rounding than N: N = -|v|^2 times it times the same of the triangle's other
+  // shape. The polynomial's root is so near as a rule that one is enough; where roots are close the slope is taken anew, by a secant.
+  for (int step = 0; step < 4; ++step) {
+    const Triangle<F> t = triangle_of(arm, now.on);
+    const auto first = abs(t.up) <= abs(t.down);
+    const F own = select(first, t.up, t.down), other = select(first, t.down, t.up), value = own * t.V * other;
+    sign = select(first, F(1.0), F(-1.0));
+    if (step) {
+      const F secant = (before - value) / select(change == 0.0, F(kTiny), change);
+      slope = select(abs(change) > kHiddenNearRoot, secant, slope);
+    } else {
+      unclear = unclear | !(t.room > kHiddenRoom * size) | !(abs(slope) > kHiddenSlope * size) |
+                !(abs(other) > kHiddenSlope * l);
+    }
+    before = value;
+    change = value / select(slope == 0.0, F(kTiny), slope);
+    unclear = unclear | !(abs(change) < (step ? kHiddenLastStep : kHiddenFirstStep));
+    theta = advanced(theta, change);
+    seen = see_at(arm, target, theta);
+    now = on_side(arm, seen, side);
+    if (all((abs(change) < kHiddenNearRoot) | unclear)) break;
+  }
+  unclear = unclear | !(abs(change) < kHiddenNearRoot);
+  const Triangle<F> t = triangle_of(arm, now.on);
+  const At<F>& at = seen.at;
+  const F u = now.u, across = now.across, out = now.out, level = at.axis5[2], invr = seen.over_rho2;
+  const F v0 = now.on.v0, v1 = now.on.v1, K = now.on.K, bent = sign * t.bent;
+  const F d0 = (K * v0 - bent * v1) * t.over_V, d1 = (K * v1 + bent * v0) * t.over_V;
   const Motion<F> elbow = unit(v0 - d0, v1 - d1), fore = unit(d0, d1);
-  const F invr = 1.0 / max(rho2, F(kTiny));
   const Motion<F> r = {(u * at.P[0] + b * at.P[1]) * invr, (u * at.P[1] - b * at.P[0]) * invr};
   q[0] = unit(r.c, r.s);
   // a plane angle grows from x to z, a turn about y the other way
@@ -289,8 +296,8 @@ template <bool Even> struct Family {
   }
   template <class F> static Mask<F> wanting(const Arm&, const Target<F>&) { return F(0.0) > F(1.0); }
   template <class F>
-  static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F side, Motion<F>* q) {
-    return offset_wrist::complete(arm, target, root, side, q);
+  static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F slope, F side, Motion<F>* q) {
+    return offset_wrist::complete<F, Even>(arm, target, root, slope, side, q);
   }
 };
 
@@ -300,7 +307,7 @@ namespace pieper::PIEPER_ISA {
 
 class OffsetWristKernel {
  public:
-  static constexpr bool in_order = false;
+  static constexpr bool in_order = true;
   explicit OffsetWristKernel(const OffsetWrist& arm) : arm_(arm) {}
   void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
     if (arm_.alike) hidden_angle::solve<offset_wrist::Family<true>>(arm_, &arm_, 1, T, count, q, valid, flag);

@@ -14,6 +14,8 @@ namespace pieper::PIEPER_ISA::trigonometric {
 
 inline constexpr int kSectors = 16;
 inline constexpr double kNarrowest = 1.0 / 4096;  // of a sector: about 1e-4 rad
+inline constexpr int kOften = 3;        // a piece that was parted too near to a root is parted elsewhere so often,
+inline constexpr double kAside = 0.11;  // each time this part of it aside
 
 template <class F, int D> struct Series {
   F a[D + 1], b[D + 1];  // b[0] is not used
@@ -87,43 +89,57 @@ template <int D> inline const SectorBasis<D>& sector_basis() {
   return table;
 }
 
-// How the coefficients b[0..N-1] of a piece change sign.
+// How the coefficients b[0..N-1] of a piece change sign: at all, and more than once.
 template <class F> struct Shape {
-  F changes;      // how often
+  Mask<F> some, more;
   F least, most;  // smallest and largest coefficient, without sign
-  // where the polygon of the coefficients crosses zero, in steps from one to the next; where it does not: a half
-  F first, last;
+  F last;         // where the polygon of the coefficients crosses zero last, in steps from one to the next; else a half
 };
 
 template <class F, int N> PIEPER_INLINE Shape<F> shape_of(const F (&b)[N]) {
   Shape<F> out;
-  out.changes = F(0.0);
   out.least = out.most = abs(b[0]);
-  F before[2] = {F(1.0), F(1.0)}, after[2] = {F(-1.0), F(-1.0)}, step[2] = {F(0.0), F(0.0)};
-  Mask<F> changed[N];
+  out.some = out.more = mask_of<F>(false);
+  F before = F(1.0), after = F(-1.0), step = F(0.0);
   Mask<F> below = b[0] < 0.0;
 #pragma GCC unroll 32
   for (int k = 1; k < N; ++k) {
-    const Mask<F> now = b[k] < 0.0;
-    changed[k] = differ(now, below);
+    const Mask<F> now = b[k] < 0.0, changed = differ(now, below);
     below = now;
     const F size = abs(b[k]);
     out.least = min(out.least, size);
     out.most = max(out.most, size);
-    out.changes = select(changed[k], out.changes + 1.0, out.changes);
-    before[1] = select(changed[k], b[k - 1], before[1]);
-    after[1] = select(changed[k], b[k], after[1]);
-    step[1] = select(changed[k], F(k - 1.0), step[1]);
+    out.more = out.more | (out.some & changed);
+    out.some = out.some | changed;
+    before = select(changed, b[k - 1], before);
+    after = select(changed, b[k], after);
+    step = select(changed, F(k - 1.0), step);
   }
+  out.last = step + before / (before - after);
+  return out;
+}
+
+// Where the polygon crosses zero first, for coefficients that change sign.
+template <class F, int N> PIEPER_INLINE F first_crossing(const F (&b)[N]) {
+  F before = F(1.0), after = F(-1.0), step = F(0.0);
 #pragma GCC unroll 32
   for (int k = N - 1; k > 0; --k) {
-    before[0] = select(changed[k], b[k - 1], before[0]);
-    after[0] = select(changed[k], b[k], after[0]);
-    step[0] = select(changed[k], F(k - 1.0), step[0]);
+    const Mask<F> changed = differ(b[k] < 0.0, b[k - 1] < 0.0);
+    before = select(changed, b[k - 1], before);
+    after = select(changed, b[k], after);
+    step = select(changed, F(k - 1.0), step);
   }
-  out.first = step[0] + before[0] / (before[0] - after[0]);
-  out.last = step[1] + before[1] / (before[1] - after[1]);
-  return out;
+  return step + before / (before - after);
+}
+
+// What coefficients no larger than `noise` leave open of a piece whose ends are larger.
+enum class Doubt { NONE, SIGNS, END };
+template <int N> inline Doubt doubt_of(const double (&b)[N], double noise) {
+  const auto small = [&](int k) { return !(abs(b[k]) >= noise); };
+  if (small(0) || small(N - 1)) return Doubt::END;
+  for (int k = 1; k + 1 < N; ++k)  // between two of different sign it changes sign once whatever its own is
+    if (small(k) && (small(k - 1) || small(k + 1) || (b[k - 1] < 0.0) == (b[k + 1] < 0.0))) return Doubt::SIGNS;
+  return Doubt::NONE;
 }
 
 template <class F, int D> struct Sectors {
@@ -134,7 +150,8 @@ template <class F, int D> struct Sectors {
 template <class F, int D> void sectors_of(const Series<F, D>& p, Sectors<F, D>& out) {
   const SectorBasis<D>& basis = sector_basis<D>();
   const Circle<2 * kSectors>& turn = circle<2 * kSectors>();
-  for (int i = 0; i < kSectors; ++i) {
+  constexpr int across = kSectors / 2;  // to the sector opposite, where odd multiples change sign
+  for (int i = 0; i < across; ++i) {
     F a[D + 1], b[D + 1];
     a[0] = p.a[0];
     for (int m = 1; m <= D; ++m) {
@@ -142,20 +159,23 @@ template <class F, int D> void sectors_of(const Series<F, D>& p, Sectors<F, D>& 
       a[m] = p.a[m] * turn.c[at] + p.b[m] * turn.s[at];
       b[m] = p.b[m] * turn.c[at] - p.a[m] * turn.s[at];
     }
-    F(&coefficient)[2 * D + 1] = out.coefficient[i];
+    F(&here)[2 * D + 1] = out.coefficient[i];
+    F(&there)[2 * D + 1] = out.coefficient[i + across];
     for (int k = 0; k <= D; ++k) {
-      F even = a[0] * basis.cosine[k][0], odd = 0.0;
-      for (int m = 1; m <= D; ++m) {
-        even += a[m] * basis.cosine[k][m];
-        odd += b[m] * basis.sine[k][m];
-      }
-      coefficient[k] = even + odd;
-      coefficient[2 * D - k] = even - odd;
+      F sum[2] = {a[0] * basis.cosine[k][0], a[1] * basis.cosine[k][1]};  // of even and of odd multiples
+      F skew[2] = {b[2] * basis.sine[k][2], b[1] * basis.sine[k][1]};
+      for (int m = 2; m <= D; ++m) sum[m % 2] += a[m] * basis.cosine[k][m];
+      for (int m = 3; m <= D; ++m) skew[m % 2] += b[m] * basis.sine[k][m];
+      const F even = sum[0] + sum[1], odd = skew[0] + skew[1];
+      here[k] = even + odd;
+      here[2 * D - k] = even - odd;
+      const F even_there = sum[0] - sum[1], odd_there = skew[0] - skew[1];
+      there[k] = even_there + odd_there;
+      there[2 * D - k] = even_there - odd_there;
     }
-    // one value at a shared edge, so that rounding can not put a root into both sectors or into none
-    if (i) coefficient[0] = out.coefficient[i - 1][2 * D];
-    if (i + 1 == kSectors) coefficient[2 * D] = out.coefficient[0][0];
   }
+  // one value at a shared edge, so that rounding can not put a root into both sectors or into none
+  for (int i = 0; i < kSectors; ++i) out.coefficient[(i + 1) % kSectors][0] = out.coefficient[i][2 * D];
   for (int i = 0; i < kSectors; ++i) out.shape[i] = shape_of(out.coefficient[i]);
 }
 
@@ -177,15 +197,16 @@ template <int Most> struct Brackets {
 // A piece of a sector whose coefficients b change sign more than once; from low to high in units of the sector's edge.
 template <int N> struct Cell {
   double b[N], low, high;
-  double part;  // where to part it, between 0 and 1
+  double last;  // where the polygon of the coefficients crosses zero last
   double most;  // largest coefficient of the sector, without sign
   int lane, sector;
+  int again;  // how often it was parted where the polynomial is not clear of zero
 };
 
 // Halfway between the first and the last place where the polygon of the coefficients crosses zero: two roots lie on either side, and
 // where there is none the polynomial is nearest to zero about here.
-template <int N, class F> PIEPER_INLINE F parting(const Shape<F>& shape) {
-  return min(max(0.5 / (N - 1) * (shape.first + shape.last), F(0.15)), F(0.85));
+template <int N, class F> PIEPER_INLINE F parting(F first, F last) {
+  return min(max(0.5 / (N - 1) * (first + last), F(0.15)), F(0.85));
 }
 
 // Isolates the roots of W polynomials: `used` of the lanes are asked for.
@@ -208,23 +229,24 @@ template <class F, int D> class Isolation {
       unclear |= open.lost & wanted;
       const unsigned once = open.once & wanted & ~unclear;
       if (once) {
-        double first[W];
-        store(first, shape.first);
+        double at[W];
+        store(at, shape.last);
         const unsigned rising = bits_of(sectors.coefficient[k][0] < 0.0);
         for (unsigned left = once; left; left &= left - 1) {
           const int i = __builtin_ctz(left);
-          enter(i, k, -1, 1, first[i], (rising >> i) & 1u);
+          enter(i, k, -1, 1, at[i], (rising >> i) & 1u);
         }
       }
       const unsigned more = open.more & wanted & ~unclear;
       if (!more) continue;
-      double at[W], most[W];
-      store(at, parting<N>(shape)), store(most, shape.most);
+      double last[W], most[W];
+      store(last, shape.last), store(most, shape.most);
       for (unsigned left = more; left; left &= left - 1) {
         const int i = __builtin_ctz(left);
         Cell<N>& cell = stack_[waiting_];
         for (int j = 0; j < N; ++j) cell.b[j] = lane(sectors.coefficient[k][j], i);
-        cell.low = -1, cell.high = 1, cell.part = at[i], cell.most = most[i], cell.lane = i, cell.sector = k;
+        cell.low = -1, cell.high = 1, cell.last = last[i], cell.most = most[i], cell.lane = i, cell.sector = k,
+        cell.again = 0;
         // what is parted makes room for two
         if (++waiting_ == kRoom - W) part();
       }
@@ -249,10 +271,10 @@ template <class F, int D> class Isolation {
     unsigned lost, once, more;  // lanes of a piece that are not clear, and with one or more changes of sign
   };
   Open open_of(const Shape<F>& shape) {
-    const auto few = shape.changes < 2.0, none = shape.changes == 0.0;
+    const auto few = !shape.more, none = !shape.some;
     away_ = select(none, min(away_, shape.least), away_);
     apart_ = select(none & (shape.least < apart_ * shape.most), shape.least / max(shape.most, F(kTiny)), apart_);
-    return {bits_of(few & (shape.least < noise_)), bits_of(shape.changes == 1.0), bits_of(!few)};
+    return {bits_of(few & (shape.least < noise_)), bits_of(shape.some & few), bits_of(shape.more)};
   }
 
   void enter(int i, int sector, double low, double high, double first, bool rising) {
@@ -276,38 +298,59 @@ template <class F, int D> class Isolation {
     const Cell<N>* from[W];
     Place place[W];
     unsigned narrow = 0;
+    F last, shift(0.0);
     for (int i = 0; i < W; ++i) {
       from[i] = top + (i < taken ? i : 0);
-      place[i] = {from[i]->low, from[i]->high, from[i]->part, from[i]->most, from[i]->lane, from[i]->sector};
+      place[i] = {from[i]->low, from[i]->high, from[i]->most, from[i]->lane, from[i]->sector};
       if (place[i].high - place[i].low < 2 * kNarrowest) narrow |= 1u << i;
+      set_lane(last, i, from[i]->last);
+      if (from[i]->again) set_lane(shift, i, kAside * from[i]->again);
     }
     constexpr int whole = W > 1 ? N - N % W : 0;
-    F b[N], left[N], at;
-    for (int i = 0; i < W; ++i) set_lane(at, i, place[i].part);
+    F b[N], left[N];
     for (int block = 0; block < whole; block += W) {
       for (int i = 0; i < W; ++i) b[block + i] = load<F>(from[i]->b + block);
       transpose(b + block);
     }
     for (int j = whole; j < N; ++j)
       for (int i = 0; i < W; ++i) set_lane(b[j], i, from[i]->b[j]);
+    const F middle = parting<N>(first_crossing(b), last), at = select(middle > 0.5, middle - shift, middle + shift);
 #pragma GCC unroll 32
     for (int k = 0; k < N; ++k) {  // de Casteljau: what is left in b is the right part
       left[k] = b[0];
       for (int j = 0; j + k + 1 < N; ++j) b[j] = b[j] + at * (b[j + 1] - b[j]);
     }
     waiting_ -= taken;
-    const unsigned all = (1u << taken) - 1u;
+    unsigned all = (1u << taken) - 1u;
     for (unsigned rest = narrow & all; rest; rest &= rest - 1) unclear |= 1u << place[__builtin_ctz(rest)].lane;
+    all &= ~narrow;
+    const F noise = lanes_of(noise_, place);
+    // parted too near to a root: it must be parted elsewhere
+    Cell<N> elsewhere[W];
+    int moved = 0;
+    for (unsigned rest = bits_of(!(abs(b[0]) >= noise)) & all; rest; rest &= rest - 1) {
+      const int i = __builtin_ctz(rest);
+      all &= ~(1u << i);
+      if (from[i]->again == kOften) unclear |= 1u << place[i].lane;
+      else elsewhere[moved] = *from[i], ++elsewhere[moved++].again;
+    }
     for (int half = 0; half < 2; ++half) {
       F(&c)[N] = half ? b : left;
       const Shape<F> shape = shape_of(c);
-      const auto few = shape.changes < 2.0;
-      const unsigned not_clear = bits_of(few & (shape.least < lanes_of(noise_, place))) & all & ~narrow;
-      for (unsigned rest = not_clear; rest; rest &= rest - 1) unclear |= 1u << place[__builtin_ctz(rest)].lane;
-      const unsigned none = bits_of(shape.changes == 0.0) & all, once = bits_of(shape.changes == 1.0) & all & ~narrow;
-      const unsigned more = bits_of(!few) & all & ~narrow, rising = bits_of(c[0] < 0.0);
-      double least[W], first[W], next[W], cut[W];
-      store(least, shape.least), store(first, shape.first), store(next, parting<N>(shape)), store(cut, at);
+      unsigned more = bits_of(shape.more) & all, once = bits_of(shape.some) & all & ~more, none = all & ~(more | once);
+      const unsigned rising = bits_of(c[0] < 0.0), doubtful = bits_of(shape.least < noise) & all & ~more;
+      double record[N * W];
+      if (more | doubtful) store_records<F, N>(record, c, W);
+      for (unsigned rest = doubtful; rest; rest &= rest - 1) {
+        const int i = __builtin_ctz(rest);
+        const Doubt doubt = doubt_of<N>(*reinterpret_cast<const double (*)[N]>(record + N * i), lane(noise, i));
+        if (doubt == Doubt::NONE) continue;
+        if (doubt == Doubt::END) unclear |= 1u << place[i].lane;
+        else more |= 1u << i;
+        once &= ~(1u << i), none &= ~(1u << i);
+      }
+      double least[W], crossing[W], cut[W];
+      store(least, shape.least), store(crossing, shape.last), store(cut, at);
       for (unsigned rest = none; rest; rest &= rest - 1) {
         const int i = __builtin_ctz(rest), of = place[i].lane;
         if (least[i] < lane(away_, of)) set_lane(away_, of, least[i]);
@@ -321,25 +364,24 @@ template <class F, int D> class Isolation {
         const int i = __builtin_ctz(rest);
         double low, high;
         ends(i, low, high);
-        if (!lost(place[i].lane)) enter(place[i].lane, place[i].sector, low, high, first[i], (rising >> i) & 1u);
+        if (!lost(place[i].lane)) enter(place[i].lane, place[i].sector, low, high, crossing[i], (rising >> i) & 1u);
       }
-      if (!more) continue;
-      double record[N * W];
-      store_records<F, N>(record, c, W);
       for (unsigned rest = more; rest; rest &= rest - 1) {
         const int i = __builtin_ctz(rest);
         if (lost(place[i].lane)) continue;
         Cell<N>& cell = stack_[waiting_++];
         __builtin_memcpy(cell.b, record + N * i, sizeof cell.b);
         ends(i, cell.low, cell.high);
-        cell.part = next[i], cell.most = place[i].most;
-        cell.lane = place[i].lane, cell.sector = place[i].sector;
+        cell.last = crossing[i], cell.most = place[i].most;
+        cell.lane = place[i].lane, cell.sector = place[i].sector, cell.again = 0;
       }
     }
+    for (int k = 0; k < moved; ++k)
+      if (!lost(elsewhere[k].lane)) stack_[waiting_++] = elsewhere[k];
   }
 
   struct Place {
-    double low, high, part, most;
+    double low, high, most;
     int lane, sector;
   };
 
@@ -354,45 +396,5 @@ template <class F, int D> class Isolation {
   int found_[W] = {}, waiting_ = 0;
   Cell<N> stack_[kRoom];
 };
-
-// Newton's method kept inside W brackets from `first` on: the roots as cosine and sine. p: of each root's own polynomial.
-template <class F, int D, int Most>
-void refine(const Series<F, D>& p, const Brackets<Most>& list, int first, F& c, F& s) {
-  const F centre_c = load<F>(list.centre_c + first), centre_s = load<F>(list.centre_s + first);
-  F low = load<F>(list.low + first), high = load<F>(list.high + first), u = load<F>(list.start + first);
-  const auto rising = load<F>(list.rising + first) > 0.5;
-  auto done = mask_of<F>(false);
-  for (int step = 0; step < 40; ++step) {
-    const F over = 1.0 / (1.0 + u * u), x = (1.0 - u * u) * over, y = 2.0 * u * over;
-    c = centre_c * x - centre_s * y;
-    s = centre_s * x + centre_c * y;
-    if (all(done)) break;
-    // Horner's scheme in e^{i theta} for the sum of (a - i b) e^{i m theta} and its derivative
-    F re = p.a[D], im = -p.b[D], dre = F(double(D)) * p.a[D], dim = F(double(-D)) * p.b[D];
-    for (int m = D - 1; m >= 0; --m) {
-      F t = re * c - im * s + p.a[m];
-      im = re * s + im * c - (m ? p.b[m] : F(0.0));
-      re = t;
-      if (m == 0) {
-        t = dre * c - dim * s;
-        dim = dre * s + dim * c;
-      } else {
-        t = dre * c - dim * s + double(m) * p.a[m];
-        dim = dre * s + dim * c - double(m) * p.b[m];
-      }
-      dre = t;
-    }
-    const F slope = (0.0 - dim) * 2.0 * over;  // dp/du
-    const auto below = re < 0.0, left = (below & rising) | !(below | rising);
-    low = select(left & !done, u, low);
-    high = select(!left & !done, u, high);
-    F next = u - re / select(slope == 0.0, F(kTiny), slope);
-    const auto inside = (next > low) & (next < high);
-    next = select(inside, next, 0.5 * (low + high));
-    const auto small = abs(next - u) < kHiddenRootStep;
-    u = select(done, u, next);
-    done = done | small;
-  }
-}
 
 }  // namespace pieper::PIEPER_ISA::trigonometric

@@ -252,7 +252,7 @@ struct Family {
   }
   template <class F> static Mask<F> wanting(const Arm&, const Target<F>& target) { return two_slides::wanting(target); }
   template <class F>
-  static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F side, Motion<F>* q) {
+  static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F, F side, Motion<F>* q) {
     return two_slides::complete(arm, target, root, side, q);
   }
 };
@@ -263,7 +263,7 @@ namespace pieper::PIEPER_ISA {
 
 class TwoSlidesKernel {
  public:
-  static constexpr bool in_order = false;
+  static constexpr bool in_order = true;
   explicit TwoSlidesKernel(const TwoSlides& arm) : arm_(arm) {
     for (int k = 0; k < arm.hidden.count; ++k) way_[k] = two_slides::Arm(arm, arm.hidden.at[k]);
   }

@@ -140,4 +140,11 @@ template <class F> PIEPER_INLINE F half_a_turn_on(F angle) {
   return select(angle <= -kPi, F(kPi), angle);
 }
 
+// Takes a step again and again, at most `steps` times, until it says that nothing moves in any lane. `state` is all that a step
+// leaves for the next one and for what follows.
+template <class F, int Count, class Step> PIEPER_INLINE void repeat(int steps, F (&)[Count], Step step) {
+  for (int k = 0; k < steps; ++k)
+    if (!any(step())) break;
+}
+
 }  // namespace pieper::PIEPER_ISA

@@ -149,8 +149,10 @@ class NearCurve {
  public:
   std::vector<CurvePoint> points;
   bool closed = false;
+  Rigid pose = kNoMotion;
 
   bool follow(const SixJoints& arm, const Rigid& T, CurvePoint start) {
+    pose = T;
     if (!start.settle(arm, T)) return false;
     std::vector<CurvePoint> back;
     points.assign(1, start);
@@ -233,11 +235,12 @@ class NearCurve {
  private:
   static constexpr int kMostPoints = 400;
   static constexpr double kPieceReach = 3 * kCurveStep;
+  static constexpr double kPieceStrays = kCurveStep / 4;  // a piece from the curve, at a bend
   static constexpr double kProbe = 0.04, kFirst = 0.02, kGrow = 1.6;
 
   // The foot of a joint vector on a piece, s there, and whether it is near.
-  static bool beside(const SixJoints& arm, const CurvePiece& piece, const double* q, double within, double& s,
-                     double* foot) {
+  bool beside(const SixJoints& arm, const CurvePiece& piece, const double* q, double within, double& s,
+              double* foot) const {
     s = 0.5;
     for (int turn = 0; turn < 5; ++turn) {
       piece.point(arm, s, foot);
@@ -245,6 +248,22 @@ class NearCurve {
       for (int i = 0; i < kSix; ++i) along += arm.way(q, foot, i) * ((1 - s) * piece.a.null[i] + s * piece.b.null[i]);
       if (turn == 4 || std::fabs(along) > 2 * piece.length) break;
       s = std::fmin(std::fmax(s + along / piece.length, -kCurveOver), 1 + kCurveOver);
+    }
+    const double off = arm.apart(q, foot);
+    return off <= within || (off < kPieceStrays && exactly_beside(arm, piece, q, within, s, foot));
+  }
+  // The same from the curve itself, which bends more sharply than its pieces where two directions are nearly free.
+  bool exactly_beside(const SixJoints& arm, const CurvePiece& piece, const double* q, double within, double s,
+                      double* foot) const {
+    CurvePoint at = s < 0.5 ? piece.a : piece.b;
+    std::copy(foot, foot + kSix, at.q);
+    for (int turn = 0; turn < 5; ++turn) {
+      if (!at.settle(arm, pose) || arm.apart(q, at.q) > 2 * kPieceStrays) return false;
+      std::copy(at.q, at.q + kSix, foot);
+      double along = 0;
+      for (int i = 0; i < kSix; ++i) along += arm.way(q, at.q, i) * at.null[i];
+      if (std::fabs(along) < within / 10) break;
+      for (int i = 0; i < kSix; ++i) at.q[i] += along * at.null[i];
     }
     return arm.apart(q, foot) <= within;
   }

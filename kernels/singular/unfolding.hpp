@@ -78,7 +78,7 @@ class Unfolding {
     Unfolded out{{}, 1, 0};
     std::copy(q, q + chain_.joints, out.q);
     if (!expand(q)) {
-      out.branches = 1 << free_;
+      out.branches = 1 << free_, out.blur = 3 * centred(out.q);
       return out;
     }
     bool near[kOrder];
@@ -94,6 +94,9 @@ class Unfolding {
 
  private:
   static constexpr int kCoefficients = kOrder + 1;
+  static constexpr double kAcross = 1e-4;      // beside a root, where its Jacobian is compared
+  static constexpr double kNoBend = 1e-5;      // the same to second order on all sides
+  static constexpr double kCentreHolds = 3.0;  // times rounding: what is held as well as its root
 
   // How far from zero rounding alone lets a root of c_k t^k be.
   double blur_of(int k) const { return std::pow(rounding_ / std::fmax(size_[k], kTiny), 1.0 / k); }
@@ -126,6 +129,93 @@ class Unfolding {
       if (size_[k] * std::pow(blur, k) > kUnfoldingRounding * rounding_) return false;
     std::copy(way_[0], way_[0] + chain_.joints, out.q);
     out.branches = m, out.blur = 3 * blur;
+    return true;
+  }
+
+  // Puts q, where several directions are free, at the place about which rounding scatters their root: there the Jacobian lacks them to the
+  // last digits. Returns how far it scatters them; 0, and q as it was, where half way there the pose is missed by more than rounding.
+  double centred(double* q) {
+    const int n = chain_.joints, strong = n - free_;
+    double at[6], gone = 0;
+    std::copy(q, q + n, at);
+    for (int step = 0; step < kMostSteps; ++step) {
+      double J[6][6], e[6], t[6], size = 0;
+      jacobian(at, J), missing(0, e);
+      const SingularSix d(J);
+      bends(d, at);
+      if (!to_centre(d, t)) return 0;
+      for (int a = 0; a < free_; ++a) size += t[a] * t[a];
+      size = std::sqrt(size), gone += size;
+      if (!(gone < kUnfoldingWidest)) return 0;
+      for (int i = 0; i < n; ++i)
+        for (int a = 0; a < free_; ++a) at[i] += t[a] * d.joint[strong + a][i];
+      reach(d, e, strong, n, at);
+      if (size < kUnfoldingFound) break;
+    }
+    for (double part : {0.5, 1.0}) {
+      double between[6];
+      for (int i = 0; i < n; ++i) between[i] = q[i] + part * (at[i] - q[i]);
+      if (!(missed(between) < kCentreHolds * rounding_)) return 0;
+    }
+    std::copy(at, at + n, q);
+    return gone;
+  }
+  double missed(const double* q) {
+    double J[6][6], e[6], sum = 0;
+    jacobian(q, J), missing(0, e);
+    for (double x : e) sum += x * x;
+    return std::sqrt(sum);
+  }
+  void jacobian(const double* q, double (*J)[6]) {
+    std::copy(q, q + chain_.joints, way_[0]);
+    set(0), coefficient(0);
+    std::fill(&J[0][0], &J[0][0] + 36, 0.0);
+    columns(J);
+  }
+  // How what the Jacobian does along one free direction changes along another, in the pose directions that are not reached.
+  void bends(const SingularSix& d, const double* q) {
+    const int n = chain_.joints, strong = n - free_;
+    for (int a = 0; a < free_; ++a) {
+      double sides[2][6][6], there[6];
+      for (int side = 0; side < 2; ++side) {
+        for (int i = 0; i < n; ++i) there[i] = q[i] + (side ? kAcross : -kAcross) * d.joint[strong + a][i];
+        jacobian(there, sides[side]);
+      }
+      for (int b = 0; b < free_; ++b)
+        for (int r = strong; r < 6; ++r) {
+          double sum = 0;
+          for (int i = 0; i < n; ++i)
+            for (int c = 0; c < 6; ++c)
+              sum += d.pose[r][c] * (sides[1][i][c] - sides[0][i][c]) * d.joint[strong + b][i];
+          bend_[b][a][r] = sum / (2 * kAcross);
+        }
+    }
+  }
+  // The way t along the free directions to where the Jacobian lacks them most nearly, by least squares; false where that is not told.
+  bool to_centre(const SingularSix& d, double* t) const {
+    const int k = free_, strong = chain_.joints - k;
+    double A[6][7] = {};
+    for (int b = 0; b < k; ++b)
+      for (int r = strong; r < 6; ++r) {
+        const double lacks = r == strong + b ? d.s[r] : 0;
+        for (int i = 0; i < k; ++i) {
+          for (int j = 0; j < k; ++j) A[i][j] += bend_[b][i][r] * bend_[b][j][r];
+          A[i][k] -= bend_[b][i][r] * lacks;
+        }
+      }
+    for (int i = 0; i < k; ++i) {
+      int best = i;
+      for (int r = i + 1; r < k; ++r)
+        if (std::fabs(A[r][i]) > std::fabs(A[best][i])) best = r;
+      if (!(std::fabs(A[best][i]) > kNoBend * kNoBend)) return false;
+      if (best != i) std::swap_ranges(A[best], A[best] + 7, A[i]);
+      for (int r = 0; r < k; ++r) {
+        if (r == i) continue;
+        const double part = A[r][i] / A[i][i];
+        for (int c = i; c <= k; ++c) A[r][c] -= part * A[i][c];
+      }
+    }
+    for (int i = 0; i < k; ++i) t[i] = A[i][k] / A[i][i];
     return true;
   }
 
@@ -180,10 +270,13 @@ class Unfolding {
 
   // Adds the shortest joint step that makes up for e in all but the weakest direction.
   void reach(const SingularSix& d, const double* e, double* step) const {
-    for (int k = 0; k + 1 < chain_.joints; ++k) {
+    reach(d, e, chain_.joints - 1, chain_.joints, step);
+  }
+  static void reach(const SingularSix& d, const double* e, int strong, int joints, double* step) {
+    for (int k = 0; k < strong; ++k) {
       double part = 0;
       for (int r = 0; r < 6; ++r) part += d.pose[k][r] * e[r];
-      for (int i = 0; i < chain_.joints; ++i) step[i] += part / d.s[k] * d.joint[k][i];
+      for (int i = 0; i < joints; ++i) step[i] += part / d.s[k] * d.joint[k][i];
     }
   }
   void leave(const SingularSix& d, const double* e, int k) {
@@ -260,6 +353,7 @@ class Unfolding {
   std::vector<double> cosine_, sine_, value_;  // [axis][coefficient]
   double way_[kCoefficients][6];               // of the joints
   double left_[kCoefficients][6], size_[kCoefficients];
+  double bend_[6][6][6];  // [free joint direction][along which][pose direction]
   int open_ = 1, free_ = 1;
 };
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from enum import IntFlag
-from typing import Any, ClassVar, Final, dataclass_transform
+from typing import Any, ClassVar, Final, TypeGuard, dataclass_transform
 
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 
@@ -317,6 +317,12 @@ def fastest(
 def deviations(Ts: ArrayLike) -> Array:
     """(N, 4, 4) -> (N,) how far each is from a rigid motion; NaN where it is not finite."""
 
+def usual_joints(q: object, n: int, below: float) -> TypeGuard[Array]:
+    """Whether q is a plain float64 array (..., n) of few numbers, all below a bound in size."""
+
+def exact_poses(T: object, exact: float, farthest: float) -> TypeGuard[Array]:
+    """Whether T is a plain float64 array (..., 4, 4) of rigid motions that are exact, none farther than a bound, m."""
+
 def ladder(**given: Any) -> tuple[Array, Indices, float, int, int]: ...
 def front(chain: Forward, **given: Any) -> tuple[int, float, float, Array, Array, Indices, int, float]: ...
 def chain_of_blocks(diagonal: Array, beside: Array, right: Array) -> tuple[Array, bool]: ...
@@ -356,7 +362,8 @@ def onto(
     steps: int,
     cutoff: float,
     longest: float,
-) -> Array: ...
+    regular: float,
+) -> tuple[Array, Array]: ...
 def unfold(chain: Forward, *, q: ArrayLike, T: ArrayLike, mixed: ArrayLike | None) -> tuple[Array, int]: ...
 def nearer(
     chain: Forward,

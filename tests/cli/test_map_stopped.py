@@ -49,3 +49,11 @@ def test_without_a_folder_it_says_that_nothing_is_kept():
     if run.returncode == 0:
         pytest.skip("the map was done before it could be interrupted")
     assert run.returncode == 130 and "interrupted" in said and "Traceback" not in said
+
+
+@pytest.mark.parametrize("address", ["foo", "8786", "", "tcp://foo"])
+def test_what_is_no_address_of_a_scheduler_is_said(run, address):
+    code, _, err = run(
+        "map", "denso-vp6242", "--box", "-600 600 -600 600 -100 700", "--step", "60", "--scheduler", address
+    )
+    assert code == 2 and "is no address" in err and "tcp://host:8786" in err

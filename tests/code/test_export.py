@@ -21,6 +21,7 @@ ARMS = (
     "denso-vp6242",
     "universal-robots-ur5e",
     "universal-robots-ur10e",
+    "jaka-zu30",
     "stanford-arm",
     "rrp-wrist",
     "abb-irb4400l-30-243",
@@ -243,3 +244,10 @@ def test_the_head_says_where_it_comes_from(tmp_path):
     for language, ending in (("c", "c"), ("python", "py"), ("javascript", "mjs")):
         head = arm.code(language, tmp_path / f"a.{ending}").read_text()[:900]
         assert "denso-vp6242" in head and "sha256" in head and "licence" in head and "Written by pieper" in head
+
+
+@pytest.mark.parametrize("language", ["python", "jax"])
+@pytest.mark.parametrize("name", ["stanford-arm", "adept-cobra-600", "franka-panda"])
+def test_how_many_poses_are_taken_is_not_how_many_joints_there_are(name, language, tmp_path):
+    text = pieper.load(name).code(language, tmp_path / "solver.py").read_text()
+    assert "takes poses (k, 4, 4)" in text and not re.search(r"poses \(\d", text)

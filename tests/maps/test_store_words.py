@@ -7,6 +7,7 @@ import json
 import pytest
 
 import pieper
+from pieper.maps import reach_map as maps
 
 BOX, STEP, TURNS = ((-0.4, 0.4), (-0.4, 0.4), (0.0, 0.6)), 0.2, (8, 4)
 
@@ -74,3 +75,32 @@ def test_places_of_a_base_say_which_list_is_wrong_and_when_poses_are_in_millimet
     T[:, :3, 3] *= 1000
     with pytest.warns(pieper.PieperWarning, match="Were these millimetres"):
         arm.base_places(T, **places)
+
+
+@pytest.mark.parametrize("gone", ["removed", "null", "", "[]"])
+def test_tiles_are_never_taken_for_another_maps_where_nothing_says_whose_they_are(arm, kept, gone):
+    other = arm.with_limits({arm.joint_names[0]: (-1, 1)})
+    if gone == "removed":
+        (kept / "map.json").unlink()
+    else:
+        (kept / "map.json").write_text(gone)
+        with pytest.raises(pieper.InputError, match="does not say which map"):
+            other.reach_map(BOX, STEP, TURNS, store=kept)
+        (kept / "map.json").unlink()
+    wanted = other.reach_map(BOX, STEP, TURNS)
+    assert (other.reach_map(BOX, STEP, TURNS, store=kept).bits == wanted.bits).all()
+
+
+def test_tiles_that_changed_places_are_done_again(arm, tmp_path, monkeypatch):
+    monkeypatch.setattr(maps, "TILE_POSES", 400)
+    wanted = arm.reach_map(BOX, STEP, TURNS, symmetry="none", store=tmp_path / "s")
+    tiles = sorted((tmp_path / "s").glob("tile_*.npz"))
+    # two that are not alike, swapped with their marks
+    first, other = tiles[0], next(tile for tile in tiles[1:] if tile.read_bytes() != tiles[0].read_bytes())
+    for ending in (".npz", ".sha256"):
+        a, b = first.with_suffix(ending), other.with_suffix(ending)
+        kept_a, kept_b = a.read_bytes(), b.read_bytes()
+        a.write_bytes(kept_b)
+        b.write_bytes(kept_a)
+    again = arm.reach_map(BOX, STEP, TURNS, symmetry="none", store=tmp_path / "s")
+    assert (again.bits == wanted.bits).all() and (again.count == wanted.count).all()

@@ -125,6 +125,11 @@ def test_fanuc_counts_joint_3_from_the_level(tmp_path):
         ("rapid", "rapid", "pièce", "ASCII"),
         ("rapid", "rapid", "2nd", "begins with a letter"),
         ("rapid", "ros", None, "another maker"),
+        ("urscript", "urscript", "end", "a word of urscript itself"),
+        ("urscript", "urscript", "movej", "a word of urscript itself"),
+        ("rapid", "rapid", "EndProc", "a word of rapid itself"),
+        ("krl", "krl", "Ptp", "a word of krl itself"),
+        ("pacscript", "pacscript", "Sub", "a word of pacscript itself"),
     ],
 )
 def test_what_a_maker_does_not_take_is_refused_and_nothing_is_written(dialect, arm_dialect, name, word, tmp_path):

@@ -235,6 +235,19 @@ def test_the_chosen_pose_can_be_solved():
         assert len(arm.ik(good_pose(arm))) > 0
 
 
+def test_a_route_that_is_refused_has_its_picture_and_what_closes_it_on_the_page(tmp_path):
+    arm = pieper.load("abb-irb2400").with_tool(pieper.pose(0.05, 0.02, 0.35, rpy=(0, 35, 0), degrees=True, mm=False))
+    seam = pieper.line(*(pieper.pose(0.9, y, 0.6, rpy=(180, 0, 0), degrees=True) for y in (-0.75, 0.75)), 13)
+    for low, verdict in ((-0.7, "impossible"), (-2.0, "found")):
+        route = arm.with_limits({"joint_1": (low, 0.3 if verdict == "impossible" else 2.0)}).route(
+            seam, free=pieper.Freedom()
+        )
+        assert route.verdict.name.lower() == verdict
+        page = html_page(report(arm, route=route))
+        assert balanced(page) and "A route" in page and "open turns of the tool along the path" in page
+        assert ("What closes each branch" in page) == (verdict == "impossible")
+
+
 def test_a_place_that_cannot_be_written_is_said_and_nothing_is_left(tmp_path):
     with pytest.raises(InputError, match="missing"):
         write_report(pieper.load("three-r"), tmp_path / "missing" / "page.html")

@@ -11,6 +11,8 @@ import pytest
 
 import pieper
 from pieper import PlanError, Status
+from pieper.kinematics.pose import rotation_z
+from pieper.solver.plan.six_joints import appended
 
 ARMS = {
     "fanuc-lr-mate-200id": [(2, 1, 1)],
@@ -200,3 +202,14 @@ def test_how_far_the_least_offending_solution_is_outside_is_the_least_over_whole
             over = min(over, far.max(1).min())
         said = float(sols.why.split(" by ")[1].split()[0])
         assert said == pytest.approx(np.degrees(over), rel=2e-3), sols.why
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_virtual_joints_are_added_to_coupled_ones(name):
+    arm, _, C = coupled(name)
+    chain = appended(arm.chain, [(np.eye(3), False), (np.eye(3), True)])
+    assert chain.n == arm.n + 2
+    assert chain.prismatic.tolist() == [*arm.chain.prismatic.tolist(), False, True]
+    q = joints(arm, 5)
+    wanted = arm.chain.native.fk(q) @ rotation_z(np.full(5, 0.3)) @ pieper.pose(0, 0, 0.2)
+    assert np.abs(chain.native.fk(np.hstack([q, np.full((5, 1), 0.3), np.full((5, 1), 0.2)])) - wanted).max() < 1e-14

@@ -93,3 +93,11 @@ def test_a_table_shows_every_joint_value_in_degrees_and_the_reason():
     assert all(f"{np.degrees(v):.3f}" in lines[1] for v in sols.q[0, :5]) and "-0.000" not in lines[1]
     far = arm.ik(pieper.pose(3, 0, 0))
     assert far.table() == far.why
+
+
+def test_one_row_inside_the_limits_says_how_the_pose_came_out_without_tracing_anything():
+    arm = pieper.load("kuka-lbr-iiwa-14-r820")
+    q = np.array([0.0, 0.6, -0.4, -1.2, 0.5, 0.9, -0.2])
+    arm = arm.with_limits({name: (at - 0.2, at + 0.2) for name, at in zip(arm.joint_names, q.tolist(), strict=True)})
+    sols = arm.ik(arm.fk(q))
+    assert len(sols.q) == 1 and repr(sols) == "<Solutions: 1 inside the limits of 8, REDUNDANT>"

@@ -27,7 +27,8 @@ template <class F, int Degree> PIEPER_INLINE F value_of(const F* c, F t) {
 template <class F, int Degree, int Count> __attribute__((noinline)) void bracketed_roots(const F* c, const F* edge,
                                                                                          int steps, double precision,
                                                                                          F* root, Mask<F>* inside) {
-  F low[Count], high[Count], at_low[Count];
+  F between[3 * Count], at_low[Count];
+  F *const at = between, *const low = at + Count, *const high = low + Count;
   F left = value_of<F, Degree>(c, edge[0]);
   for (int i = 0; i < Count; ++i) {
     F right = value_of<F, Degree>(c, edge[i + 1]);
@@ -37,26 +38,27 @@ template <class F, int Degree, int Count> __attribute__((noinline)) void bracket
     // the chord's root is a good start where the bracket is short, the middle where it is long
     F chord = low[i] + (high[i] - low[i]) * (left / select(right == left, F(1.0), left - right));
     F middle = 0.5 * (low[i] + high[i]);
-    root[i] = select(inside[i], 0.5 * (chord + middle), middle);
+    at[i] = select(inside[i], 0.5 * (chord + middle), middle);
     left = right;
   }
-  for (int step = 0; step < steps; ++step) {
+  repeat(steps, between, [&] {
     Mask<F> moving = mask_of<F>(false);
     for (int i = 0; i < Count; ++i) {
       F value, slope;
-      value_and_slope<F, Degree>(c, root[i], value, slope);
+      value_and_slope<F, Degree>(c, at[i], value, slope);
       // same sign as the lower end: the root lies above
       Mask<F> above = (value * at_low[i]) > 0.0;
-      low[i] = select(above, root[i], low[i]);
-      high[i] = select(above, high[i], root[i]);
-      F next = root[i] - value / select(slope == 0.0, F(kTiny), slope);
+      low[i] = select(above, at[i], low[i]);
+      high[i] = select(above, high[i], at[i]);
+      F next = at[i] - value / select(slope == 0.0, F(kTiny), slope);
       Mask<F> fine = (next >= low[i]) & (next <= high[i]);
       next = select(fine, next, 0.5 * (low[i] + high[i]));
-      moving = moving | (inside[i] & (abs(next - root[i]) > precision));
-      root[i] = next;
+      moving = moving | (inside[i] & (abs(next - at[i]) > precision));
+      at[i] = next;
     }
-    if (!any(moving)) break;
-  }
+    return moving;
+  });
+  for (int i = 0; i < Count; ++i) root[i] = at[i];
 }
 
 // Directions (p, q), p^2 + q^2 = 1, in which the form f0 q^4 + .. + f4 p^4 vanishes: at most four, `found` says which hold.

@@ -93,10 +93,20 @@ def _real_roots(coefficients: np.ndarray) -> np.ndarray:
 
     real = (off < REAL_ROOT * far) | ((off < DOUBLE_ROOT_APART * far) & vanishes(roots.real))
     found = np.sort(roots[real].real)
-    middle, apart = (found[1:] + found[:-1]) / 2, np.diff(found)
+    apart = np.diff(found)
+    middle = _level((found[1:] + found[:-1]) / 2, slope)
     for k in np.flatnonzero((apart < DOUBLE_ROOT_APART * (1 + np.abs(middle))) & vanishes(middle)):
         found[k : k + 2] = middle[k]
     return np.concatenate([found, np.full(leading, np.inf)])
+
+
+def _level(middle: np.ndarray, slope: np.ndarray) -> np.ndarray:
+    """Return where the slope vanishes near the middle of two roots, by Newton's method; the middle if nowhere."""
+    bend, at = np.polyder(slope), middle
+    with np.errstate(all="ignore"):
+        for _ in range(3):
+            at = at - np.polyval(slope, at) / np.polyval(bend, at)
+    return np.where(np.abs(at - middle) < DOUBLE_ROOT_APART * (1 + np.abs(middle)), at, middle)
 
 
 def _settled(x: Any) -> Any:

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from pieper import arguments
 from pieper.calibration.departure import refuse_another_arm
 from pieper.calibration.fit import Fit, HeldOut
-from pieper.calibration.least_squares import Fitted, fit, linearised, outlying, sizes_of
+from pieper.calibration.least_squares import Fitted, Weighed, fit, linearised, outlying, sizes_of
 from pieper.calibration.measurements import BLIND, SETUP, WIDTH, Measurements, measured_as, noise_of
 from pieper.calibration.misreadings import refuse_misreadings
 from pieper.calibration.model import AxesModel
@@ -20,7 +20,7 @@ from pieper.calibration.parameters import Parameters, parameters_of
 from pieper.calibration.unseen import in_words
 from pieper.description.dh import Description
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array, ArrayLike
+from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.pose import PoseLike
 from pieper.solver.plan.planned_arm import NominalArm
@@ -63,29 +63,29 @@ def calibrate(
     _refuse_too_few(joints[fitted_on], parameters, data, len(tested))
     refuse_misreadings(nominal, joints, data, arm.description.joint_names, chain.length)
     start = data.rows(fitted_on).placed(nominal.fk(joints[fitted_on])[:, :3, 3])
-    sizes = sizes_of(parameters, data, chain.length)
-    found, used = _fitted(nominal, parameters, joints[fitted_on], start, noise, sizes, loss)
+    by = Weighed(parameters, joints[fitted_on], noise or FIRST_NOISE, sizes_of(parameters, data, chain.length))
+    found, by = _fitted(nominal, start, by, loss, estimate=noise is None)
     _refuse_strangers(found, joints[fitted_on])
     refuse_another_arm(nominal, found.model, joints[fitted_on])
     # noise that was said too small would make the prediction too good
     covariance = (found.seen.T / found.strength**2) @ found.seen * max(1.0, found.spread) ** 2
-    free = sizes * np.concatenate([parameters.free, np.ones(SETUP[kind], bool)])
+    free = by.sizes * by.free(kind)
     covariance *= free[:, None] * free
     held = replace(found.data, values=data.values[tested])
     begun = replace(start, values=data.values[tested])
-    error = None
+    error, strange = None, np.zeros(len(tested), bool)
     if len(tested):
-        error = _judged(nominal, begun, found, parameters, joints[tested], held, covariance, used, sizes, loss)
+        error, strange = _judged(nominal, begun, found, held, covariance, replace(by, q=joints[tested]), loss)
     return Fit(
         nominal=arm.description,
         model=found.model,
         parameters=parameters,
         covariance=covariance[: parameters.count, : parameters.count],
-        unobservable=in_words(found.model, parameters, found.unseen, sizes),
+        unobservable=in_words(found.model, parameters, found.unseen, by.sizes),
         held_out=error,
-        sigma=used,
+        sigma=by.sigma,
         spread=found.spread,
-        outliers=tuple(int(i) for i in fitted_on[found.outliers]),
+        outliers=tuple(sorted(int(i) for i in (*fitted_on[found.outliers], *tested[strange]))),
         rows=(len(fitted_on), len(tested)),
         kind=kind,
         set_up=found.data,
@@ -139,48 +139,38 @@ def _refuse_strangers(found: Fitted, q: Array) -> None:
 
 
 def _fitted(
-    nominal: AxesModel,
-    parameters: Parameters,
-    q: Array,
-    data: Measurements,
-    noise: tuple[float, float] | None,
-    sizes: Array,
-    loss: str,
-) -> tuple[Fitted, tuple[float, float]]:
-    """Return the fit and the noise it was weighted with: what was said, or what the residuals show."""
-    if noise is not None:
-        return fit(nominal, parameters, q, data, noise, sizes, loss), noise
-    used, model = FIRST_NOISE, nominal
-    for _ in range(ESTIMATES):
-        found = fit(model, parameters, q, data, used, sizes, loss)
-        residuals, _ = linearised(found.model, parameters, q, found.data, used, sizes)
+    nominal: AxesModel, data: Measurements, by: Weighed, loss: str, *, estimate: bool
+) -> tuple[Fitted, Weighed]:
+    """Return the fit and what it was weighted with: the noise that was said, or an estimate that residuals show."""
+    for _ in range(ESTIMATES if estimate else 0):
+        found = fit(nominal, data, by, loss)
+        residuals, _ = linearised(found.model, found.data, by)
         kept = ~found.outliers
         rows = int(kept.sum()) * sum(part.shape[1] for part in residuals)
         freedom = max(rows - len(found.seen), 1) / rows
         sizes_now = [float(np.sqrt(np.mean(part[kept] ** 2) / freedom)) for part in residuals]
-        used = max(used[0] * sizes_now[0], LEAST_NOISE), max(used[1] * sizes_now[-1], LEAST_NOISE)
-    return fit(nominal, parameters, q, data, used, sizes, loss), used
+        used = by.sigma
+        by = replace(by, sigma=(max(used[0] * sizes_now[0], LEAST_NOISE), max(used[1] * sizes_now[-1], LEAST_NOISE)))
+    return fit(nominal, data, by, loss), by
 
 
 def _judged(
     nominal: AxesModel,
     begun: Measurements,
     found: Fitted,
-    parameters: Parameters,
-    q: Array,
     held: Measurements,
     covariance: Array,
-    sigma: tuple[float, float],
-    sizes: Array,
+    by: Weighed,
     loss: str,
-) -> HeldOut:
-    """Return the error on held-out rows, and what the covariance predicts for it (Cramer and Rao)."""
-    residuals, slopes = linearised(found.model, parameters, q, held, sigma, sizes)
+) -> tuple[HeldOut, Bools]:
+    """Return the error on held-out rows, what covariance predicts for it (Cramer and Rao), and which are no noise."""
+    q = by.q
+    residuals, slopes = linearised(found.model, held, by)
     kept = ~outlying(residuals) if loss == "huber" else np.ones(len(q), bool)
     before = begun.misses(nominal.fk(q))
-    scaled = covariance / np.outer(sizes, sizes)
+    scaled = covariance / np.outer(by.sizes, by.sizes)
     spread, said = max(1.0, found.spread), []
-    for part, J, unit, first in zip(residuals, slopes, sigma, before, strict=False):
+    for part, J, unit, first in zip(residuals, slopes, by.sigma, before, strict=False):
         size = np.linalg.norm(part[kept] * unit, axis=1)
         own = np.einsum("nik,kl,nil->n", J[kept], scaled, J[kept]) + part.shape[1] * spread**2
         said.append(
@@ -192,6 +182,7 @@ def _judged(
             )
         )
     turns = said[1] if len(said) > 1 else (None,) * 4
-    return HeldOut(
+    error = HeldOut(
         said[0][0], turns[0], said[0][1], turns[1], said[0][2], turns[2], said[0][3], turns[3], int(kept.sum()), len(q)
     )
+    return error, ~kept

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pieper import arguments
-from pieper.calibration.least_squares import linearised, sizes_of
+from pieper.calibration.least_squares import Weighed, linearised, sizes_of
 from pieper.calibration.measurements import KINDS, Measurements, measured_as, noise_of
 from pieper.calibration.model import AxesModel
 from pieper.calibration.parameters import parameters_of
@@ -50,7 +50,7 @@ def choose_poses(
     data = measured_as(kind, values.get(kind, T), len(q))
     data = Measurements(kind, data.values, seen_from if kind == "distance" else data.point)
     sizes = sizes_of(parameters, data, arm.chain.length)
-    _, slopes = linearised(model, parameters, q, data, noise_of(sigma) or USUAL_NOISE, sizes)
+    _, slopes = linearised(model, data, Weighed(parameters, q, noise_of(sigma) or USUAL_NOISE, sizes))
     J = np.concatenate(slopes, axis=1)
     # what nothing known beforehand says, a plausible departure does: the unit matrix
     information = np.eye(J.shape[2])

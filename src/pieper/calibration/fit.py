@@ -81,7 +81,7 @@ class Fit:
         held_out: The error on held-out poses; None where none were.
         sigma: The noise (m, rad) that was said, or else estimated.
         spread: Residuals over noise: far above 1 something else than these numbers is at work.
-        outliers: Indices of the rows that were left out as no noise (loss "huber").
+        outliers: Indices of the rows that were left out as no noise (loss "huber"), held-out ones too.
         rows: How many poses were fitted and how many held out.
         kind: What was measured.
         set_up: Measurements with their set-up as fitted: fixed point, or plane.
@@ -157,7 +157,13 @@ class Fit:
         limits, turning = self.nominal.limits, ~self.model.prismatic
         rows = self.geometry.ik(T).all_q
         bounded = turning & np.isfinite(limits).all(1)
-        most = np.where(bounded, np.ceil((np.abs(limits).max(1, initial=0.0, where=np.isfinite(limits)) + 1) / TURN), 1)
+        # where the chain's values come to lie: what a joint's drive carries along moves others out of their own limits
+        ends = np.where(bounded[:, None] | ~turning[:, None], limits, [-PI, PI])
+        with np.errstate(invalid="ignore"):
+            parts = np.where(self.model.gears == 0, 0, self.model.gears) * ends.T[:, None]
+        parts[:, self.model.gears == 0] = 0
+        span = np.stack([parts.min(0).sum(1), parts.max(0).sum(1)], 1)
+        most = np.where(turning, np.ceil((np.abs(span).max(1, initial=0.0, where=np.isfinite(span)) + 1) / TURN), 1)
         choices = [
             TURN * np.arange(-m, m + 1) if turns else np.zeros(1) for m, turns in zip(most, turning, strict=True)
         ]
@@ -166,10 +172,7 @@ class Fit:
             # one joint after the other: what cannot come inside by any turn is dropped before the next
             near = [v + t for v, t in zip(values, choices, strict=True)]
             near = [
-                v[(v > lo - SLACK_OF_TERMS) & (v < hi + SLACK_OF_TERMS)]
-                for v, (lo, hi) in zip(
-                    near, np.where(bounded[:, None] | ~turning[:, None], limits, [-PI, PI]), strict=True
-                )
+                v[(v > lo - SLACK_OF_TERMS) & (v < hi + SLACK_OF_TERMS)] for v, (lo, hi) in zip(near, span, strict=True)
             ]
             q = self.joint_values(np.stack(np.meshgrid(*near, indexing="ij"), -1).reshape(-1, self.nominal.n))
             ok = inside(q, limits)
@@ -254,9 +257,7 @@ class Fit:
             which = ", ".join(str(i + 1) for i in self.outliers)
             lines.append(f"Left out as no noise: measurement{'s' if len(self.outliers) > 1 else ''} {which}.")
         if held and self.held_out is not None and self.held_out.count < self.held_out.of:
-            lines.append(
-                f"{self.held_out.of - self.held_out.count} held-out rows are outliers too and were not judged."
-            )
+            lines.append(f"Of them {self.held_out.of - self.held_out.count} were held out, and are not in the error.")
         if self.unobservable:
             lines.append(
                 "These measurements cannot see, and the fit left as it was: " + "; ".join(self.unobservable) + "."

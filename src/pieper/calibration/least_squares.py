@@ -26,6 +26,27 @@ MEDIAN_NORM = {1: 0.6745, 3: 1.5382}
 
 
 @dataclass(frozen=True, eq=False)
+class Weighed:
+    """What is fitted, at which postures, and in which units it counts.
+
+    Args:
+        parameters: What may move.
+        q: (N, n) joint vectors, rad or m.
+        sigma: Noise of positions, m, and of turns, rad.
+        sizes: (k,) plausible sizes of the numbers, see `sizes_of`.
+    """
+
+    parameters: Parameters
+    q: Array
+    sigma: tuple[float, float]
+    sizes: Array
+
+    def free(self, kind: str) -> Bools:
+        """Return which numbers may move (k,), all of the set-up of a kind of measurements among them."""
+        return np.concatenate([self.parameters.free, np.ones(SETUP[kind], bool)])
+
+
+@dataclass(frozen=True, eq=False)
 class Fitted:
     """Where a fit ended.
 
@@ -56,39 +77,29 @@ def sizes_of(parameters: Parameters, data: Measurements, length: float) -> Array
     return np.concatenate([parameters.sizes, setup])
 
 
-def linearised(
-    model: AxesModel, parameters: Parameters, q: Array, data: Measurements, sigma: tuple[float, float], sizes: Array
-) -> tuple[list[Array], list[Array]]:
+def linearised(model: AxesModel, data: Measurements, by: Weighed) -> tuple[list[Array], list[Array]]:
     """Return residuals (N, m) and derivatives (N, m, k), in noises and plausible sizes: of positions, of turns."""
-    T, twists = model.pose_and_jacobian(q, parameters)
+    T, twists = model.pose_and_jacobian(by.q, by.parameters)
     misses, slopes = data.misses(T), data.derivatives(T, twists)
-    free = np.concatenate([parameters.free, np.ones(SETUP[data.kind], bool)])
-    scale = np.where(free, sizes, 0.0)
+    scale = np.where(by.free(data.kind), by.sizes, 0.0)
     parts = [k for k in range(2) if misses[k].shape[1]]
     columns = [
-        np.concatenate([slopes[k], np.zeros((*slopes[k].shape[:2], len(sizes) - slopes[k].shape[2]))], 2) for k in parts
+        np.concatenate([slopes[k], np.zeros((*slopes[k].shape[:2], len(scale) - slopes[k].shape[2]))], 2) for k in parts
     ]
+    sigma = by.sigma
     return [misses[k] / sigma[k] for k in parts], [c * scale / sigma[k] for k, c in zip(parts, columns, strict=True)]
 
 
-def fit(
-    model: AxesModel,
-    parameters: Parameters,
-    q: Array,
-    data: Measurements,
-    sigma: tuple[float, float],
-    sizes: Array,
-    loss: str,
-) -> Fitted:
-    """Fit an arm to measurements at joint vectors q (N, n); see `Fitted`."""
-    keep = np.ones(len(q), bool)
-    model, data, steps = _descend(model, parameters, q, data, sigma, sizes, loss == "huber", keep)
+def fit(model: AxesModel, data: Measurements, by: Weighed, loss: str) -> Fitted:
+    """Fit an arm to measurements; see `Fitted`."""
+    keep = np.ones(len(by.q), bool)
+    model, data, steps = _descend(model, data, by, loss == "huber", keep)
     if loss == "huber":
-        residuals, _ = linearised(model, parameters, q, data, sigma, sizes)
+        residuals, _ = linearised(model, data, by)
         keep = ~outlying(residuals)
-        model, data, more = _descend(model, parameters, q, data, sigma, sizes, False, keep)
+        model, data, more = _descend(model, data, by, False, keep)
         steps += more
-    residuals, slopes = linearised(model, parameters, q, data, sigma, sizes)
+    residuals, slopes = linearised(model, data, by)
     r, J = _stacked(residuals, slopes, [keep.astype(np.float64)] * len(residuals))
     s, V = _decomposed(J)
     seen = s >= 1.0
@@ -107,18 +118,11 @@ def outlying(residuals: list[Array]) -> Bools:
 
 
 def _descend(
-    model: AxesModel,
-    parameters: Parameters,
-    q: Array,
-    data: Measurements,
-    sigma: tuple[float, float],
-    sizes: Array,
-    robust: bool,
-    keep: Bools,
+    model: AxesModel, data: Measurements, by: Weighed, robust: bool, keep: Bools
 ) -> tuple[AxesModel, Measurements, int]:
-    count = parameters.count
-    reach = sizes * np.concatenate([parameters.free, np.ones(SETUP[data.kind], bool)])
-    residuals, slopes = linearised(model, parameters, q, data, sigma, sizes)
+    count = by.parameters.count
+    reach = by.sizes * by.free(data.kind)
+    residuals, slopes = linearised(model, data, by)
     for done in range(1, CALIBRATION_STEPS + 1):
         weights = [_weights(part, robust, keep) for part in residuals]
         r, J = _stacked(residuals, slopes, weights)
@@ -128,8 +132,8 @@ def _descend(
         cost = _cost(residuals, robust, keep)
         for halving in range(HALVINGS + 1):
             part = step * reach * 0.5**halving
-            tried, placed = model.moved(part[:count], parameters), data.moved(part[count:])
-            residuals, slopes = linearised(tried, parameters, q, placed, sigma, sizes)
+            tried, placed = model.moved(part[:count], by.parameters), data.moved(part[count:])
+            residuals, slopes = linearised(tried, placed, by)
             if _cost(residuals, robust, keep) <= cost * (1 + COST_NO_WORSE) + COST_ROUNDING:
                 break
         model, data = tried, placed

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import sys
 import threading
@@ -13,6 +14,7 @@ from contextlib import ExitStack
 from importlib import import_module
 from multiprocessing import parent_process
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -83,7 +85,7 @@ def _widened(shape: tuple[int, ...], step: float, sides: list[tuple[float, float
     "--symmetry", default="auto", show_default=True, type=click.Choice(["auto", "none"]), help="See docs/maps.md."
 )
 @click.option("--workers", default=0, help="Processes; without it one process uses all cores.")
-@click.option("--scheduler", default="", metavar="ADDRESS", help="A dask scheduler, such as tcp://host:8786.")
+@click.option("--scheduler", default=None, metavar="ADDRESS", help="A dask scheduler, such as tcp://host:8786.")
 @click.option("--scene", default="", metavar="FILE", help="Count only what touches neither this nor the arm itself.")
 @click.option(
     "--task", default=None, type=click.Choice(["pose", "position", "position+axis"]), help="What a voxel is asked."
@@ -102,7 +104,7 @@ def command(
     out: str,
     symmetry: str,
     workers: int,
-    scheduler: str,
+    scheduler: str | None,
     scene: str,
     task: str | None,
     measure: bool,
@@ -151,12 +153,8 @@ def command(
     around = pieper.Scene.load(scene) if scene else None
     with ExitStack() as stack:
         executor: Executor | None = None
-        if scheduler:
-            try:
-                client = stack.enter_context(import_module("distributed").Client(scheduler, timeout="10s"))
-            except OSError as error:
-                raise InputError(f"--scheduler: nothing answers at {scheduler}: {error}.", given=scheduler) from None
-            executor = stack.enter_context(client.get_executor())
+        if scheduler is not None:
+            executor = stack.enter_context(_cluster(stack, scheduler).get_executor())
         elif workers:
             count = min(workers, os.cpu_count() or 1)
             executor = stack.enter_context(ProcessPoolExecutor(count, initializer=end_with_parent))
@@ -180,6 +178,21 @@ def command(
         return DONE
     say(found.explain())
     return DONE
+
+
+def _cluster(stack: ExitStack, address: str) -> Any:
+    """Return a client of a dask scheduler; where no worker is there yet, that is said."""
+    if not re.fullmatch(r"([a-z]+://)?.+:\d+", address):
+        raise InputError(
+            f"--scheduler: {address!r} is no address: give host and port, such as tcp://host:8786.", given=address
+        )
+    try:
+        client = stack.enter_context(import_module("distributed").Client(address, timeout="10s"))
+    except (OSError, ValueError) as error:
+        raise InputError(f"--scheduler: nothing answers at {address}: {error}.", given=address) from None
+    if not client.scheduler_info()["workers"]:
+        note(f"{address} has no worker yet; the map waits for one (dask worker {address}). Ctrl-C ends it.")
+    return client
 
 
 def _what_is_kept(out: str) -> str:

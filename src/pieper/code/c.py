@@ -8,21 +8,24 @@ from collections.abc import Sequence
 import numpy as np
 
 from pieper.code.between import ASKED
-from pieper.code.c_pose import RIGID, nearest_of
+from pieper.code.c_pose import ANGLE, RIGID, nearest_of
 from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.language import USUAL, Language, filled, functions
-from pieper.tolerances import CLOSES, FILLED_STARTS
+from pieper.code.language import USUAL, Language, Notation, filled, functions
+from pieper.code.staged import assign, loop_lines, packed, staged
+from pieper.tolerances import CLOSES, FILLED_STARTS, POLAR_SETTLES
 
 C = Language(
-    words=USUAL | functions("") | {"abs": "fabs({0})", "angle": "NAME_angle({0}, {1})", "true": "1", "false": "0"},
-    assign=lambda name, truth, expression: f"  const {'int' if truth else 'double'} {name} = {expression};",
+    words=USUAL
+    | functions("")
+    | {"abs": "fabs({0})", "angle": "NAME_angle({0}, {1})", "atan2": "NAME_angle({0}, {1})", "true": "1", "false": "0"},
+    assign=assign,
+    loop=loop_lines,
     infinity="HUGE_VAL",
     truths=("0", "1"),
     manner=Manner("sin({0})", "cos({0})", "q[{0}]", 0, "  const double {0} = {1};", "NAME_side({0}, {1})"),
     texts='{}"',
     brackets="{}",
-    per_row=("{{{}}}", ", "),
 )
 
 
@@ -41,45 +44,11 @@ int NAME_self_test(void): how many of @TESTS@ stored poses fail: 0. With -DNAME_
 */
 #include <math.h>
 
-static const double NAME_lower[N] = @LOWER@;
-static const double NAME_upper[N] = @UPPER@;
-static const int NAME_slides[N] = @SLIDES@;
-static const double NAME_links[N1][12] = @LINKS@;
+@LIMITS@static const int NAME_slides[N] = @SLIDES@;
+static const double NAME_base[3][4] = @BASE@;
 
-/* An angle that rounds to -pi is said as pi. */
-static double NAME_angle(double y, double x) {
-  const double r = atan2(y, x);
-  return r <= -3.14159265358979323846 ? 3.14159265358979323846 : r;
-}
-@RIGID@
-/* A pose (12 numbers, row by row) times a link. */
-static void NAME_times(double *T, const double *L) {
-  int i, j;
-  for (i = 0; i < 3; ++i) {
-    double row[4];
-    for (j = 0; j < 4; ++j) row[j] = T[4 * i] * L[j] + T[4 * i + 1] * L[4 + j] + T[4 * i + 2] * L[8 + j];
-    row[3] += T[4 * i + 3];
-    for (j = 0; j < 4; ++j) T[4 * i + j] = row[j];
-  }
-}
-
-/* To the tool; z and p of each joint's frame into axes where that is not null. */
-static void NAME_walk(const double *q, double *T, double (*axes)[6]) {
-  int i, k;
-  for (k = 0; k < 12; ++k) T[k] = NAME_links[0][k];
-  for (i = 0; i < N; ++i) {
-    const double c = cos(q[i]), s = sin(q[i]);
-    for (k = 0; k < 3; ++k) {
-      double *row = T + 4 * k;
-      const double x = row[0], y = row[1];
-      if (axes) axes[i][k] = row[2], axes[i][3 + k] = row[3];
-      if (NAME_slides[i]) row[3] += q[i] * row[2];
-      else row[0] = c * x + s * y, row[1] = c * y - s * x;
-    }
-    NAME_times(T, NAME_links[i + 1]);
-  }
-}
-
+@ANGLE@@RIGID@
+@WALK@
 @NEAREST@@COUPLED@void NAME_fk(const double q[N], double T[16]) {
 @TO_AXES@  NAME_walk(@V@, T, 0);
   T[12] = T[13] = T[14] = 0;
@@ -111,19 +80,18 @@ static int NAME_same(const double *a, const double *b, double most) {
 }
 
 int NAME_ik_all(const double asked[16], @VALUE@double q[][N], int *unclear) {
-  double @POSE@[16];
+  double @POSE@[16], rows[@ROOM@][6];
+  int valid[@ROOM@] = {0}, doubt = 0, m, j, k, count = 0;
   if (!NAME_rigid(asked, @POSE@)) return -1;
 @MOVED@@PROGRAM@
-@FOUND@  int m, j, k, count = 0;
-  *unclear = @UNCLEAR@;
+  *unclear = doubt;
   for (m = 0; m < @SLOTS@; ++m) {
-    int keep = valid[m];
-    @CONST@double own[N] = {@OWN_ROW@};
-@FILLED@    for (k = 0; keep && k < count; ++k) keep = !NAME_same(own, q[k], 1e-9);
+    double own[N]@BACK@;
+    int keep = 1;
+    if (!valid[m]) continue;
+@OWN_ROW@@FILLED@    for (k = 0; keep@TWINS@ && k < count; ++k) keep = !NAME_same(own, q[k], 1e-9);
     if (keep@DOUBT@) {
-      double back[12];
-@TESTED@      NAME_walk(own, back, 0);
-      for (k = 0; k < @ENTRIES@; ++k) keep = keep && fabs(back[@ENTRY@] - @POSE@[@ENTRY@]) < @VERIFIED@;
+@TESTED@@WALKED@      for (k = 0; k < @ENTRIES@; ++k) keep = keep && fabs(back[@ENTRY@] - @POSE@[@ENTRY@]) < @VERIFIED@;
     }
     if (!keep) continue;
     for (j = 0; j < N; ++j) q[count][j] = own[j];
@@ -132,18 +100,9 @@ int NAME_ik_all(const double asked[16], @VALUE@double q[][N], int *unclear) {
 @FROM_AXES@  return count;
 }
 
-/* Whole turns where only they lie inside the limits; whether all joints do then. */
+@TURNS@/* Whole turns where only they lie inside the limits; whether all joints do then. */
 static int NAME_inside(double *q) {
-  int j, inside = 1;
-  const double turn = 6.28318530717958647693;
-@TIED@  for (j = 0; j < N; ++j) {
-    double v = q[j];
-    if (!@KEPT@ && v < NAME_lower[j]) v += turn * ceil((NAME_lower[j] - v) / turn);
-    else if (!@KEPT@ && v > NAME_upper[j]) v -= turn * ceil((v - NAME_upper[j]) / turn);
-    inside = inside && v >= NAME_lower[j] && v <= NAME_upper[j];
-    q[j] = v;
-  }
-  return inside;
+@TIED@@TURNED@  return @INSIDE@;
 }
 
 int NAME_ik(const double T[16], @VALUE@double q[][N]) {
@@ -198,7 +157,7 @@ int main(void) {
   return failed != 0;
 }
 #endif
-""".replace("@RIGID@", RIGID)
+""".replace("@RIGID@", RIGID).replace("@ANGLE@", ANGLE)
 
 
 def lines(texts: Sequence[str], into: str, margin: str = "  ") -> str:
@@ -217,9 +176,17 @@ def own_parts(export: Export) -> dict[str, str]:
 def _own_parts(export: Export) -> dict[str, str]:
     own, n = export.between, export.n
     held = own.held is not None
-    tied = own.tied is not None
     parts = {
         "SLOTS": str(export.plan.spec.max_solutions),
+        "ROOM": str(max(8, export.plan.spec.max_solutions)),
+        "LIMITS": ""
+        if own.tied is None
+        else f"static const double NAME_lower[N] = {C.numbers(export.lower)};\n"
+        f"static const double NAME_upper[N] = {C.numbers(export.upper)};\n",
+        "BASE": C.numbers(export.links[0]),
+        "WALK": walk(export),
+        "ONE_STEP": repr(POLAR_SETTLES),
+        **_inside(export),
         "VALUE": "double value, " if held else "",
         "VALUE_SAID": "value, " if held else "",
         "SAID": f"    value: where joint {own.held + 1} is held, rad or m; it has one to spare.\n"
@@ -227,22 +194,29 @@ def _own_parts(export: Export) -> dict[str, str]:
         else "",
         "POSE": "given" if held else "T",
         "MOVED": _moved(export) if held else "",
-        "OWN_ROW": ", ".join("value" if column is None else f"rows[m][{column}]" for column in own.columns),
-        "NEAREST": nearest_of(own),
-        "CONST": "" if own.filled else "const ",
+        "OWN_ROW": lines(
+            ["value" if column is None else f"rows[m][{column}]" for column in own.columns], "own", "    "
+        ),
+        "NEAREST": nearest_of(own, export.plan.chain.length),
+        "BACK": ", back[12]" if own.filled else "",
+        "WALKED": "" if own.filled else "      double back[12];\n      NAME_walk(own, back, 0);\n",
         "FILLED": "".join(
             f"    keep = keep && fabs(rows[m][{column}]) < {FILLED_STARTS * unit!r};\n" for column, unit in own.filled
         )
-        + (f"    keep = keep && NAME_nearest(own, {'given' if held else 'T'}) < {CLOSES!r};\n" if own.filled else ""),
-        "DOUBT": "" if own.always else " && *unclear",
+        + (
+            f"    keep = keep && NAME_nearest(own, {'given' if held else 'T'}, back) < {CLOSES!r};\n"
+            if own.filled
+            else ""
+        ),
+        # two slots may say one row where a joint is filled or slides, and else where roots merge, which is a doubt
+        "TWINS": "" if own.always or any(export.slides) else " && doubt",
+        "DOUBT": "" if own.always else " && doubt",
         "ENTRIES": str(len(own.tested)),
         "ENTRY": "k" if len(own.tested) == len(ASKED["pose"]) else "tested[k]",
         "TESTED": ""
         if len(own.tested) == len(ASKED["pose"])
         else f"      static const int tested[] = {{{', '.join(map(str, own.tested))}}};\n",
         "TEST_VALUE": f"q[i][{own.held}], " if held else "",
-        "KEPT": "(NAME_slides[j] || NAME_tied[j])" if tied else "NAME_slides[j]",
-        "FOUND": "",
         **dict.fromkeys(("COUPLED", "TO_AXES", "GEARED", "FROM_AXES", "TIED", "LABEL_AXES"), ""),
         "V": "q",
         "LABELLED": "q",
@@ -281,7 +255,6 @@ def _own_parts(export: Export) -> dict[str, str]:
     rows = ", ".join("{" + ", ".join(repr(float(move[j])) for j in tied_joints) + "}" for move in own.moves)
     parts["COUPLED"] += (
         "/* Joints whose numbers whole turns of the axes move together, and how. */\n"
-        f"static const int NAME_tied[N] = {{{', '.join(str(int(t)) for t in own.tied)}}};\n"
         f"static const int NAME_together[{len(tied_joints)}] = {{{', '.join(map(str, tied_joints))}}};\n"
         f"static const double NAME_weight[N] = {{{', '.join(repr(float(w)) for w in own.weight)}}};\n"
         f"static const double NAME_moves[{len(own.moves)}][{len(tied_joints)}] = {{{rows}}};\n\n"
@@ -339,32 +312,83 @@ def _moved(export: Export) -> str:
     return out
 
 
-def packed(program: str, width: int = 112) -> str:
-    """Return one definition a line as lists of them that share their type, several a line."""
-    out: list[str] = []
-    kind = ""
-    for line in program.splitlines():
-        _, own, rest = line.strip().rstrip(";").split(" ", 2)
-        if own != kind:
-            if out:
-                out[-1] += ";"
-            out.append(f"  const {own} {rest}")
-        elif len(out[-1]) + len(rest) + 2 < width:
-            out[-1] += f", {rest}"
+def walk(export: Export) -> str:
+    """Return forward kinematics, a row of the pose at a time, without what is zero or one."""
+    said: list[str] = []
+    turns = [j for j, slides in enumerate(export.slides) if not slides]
+    x, y, z, p = "x", "y", "z", "p"
+    for j, (slides, link) in enumerate(zip(export.slides, export.links[1:], strict=True)):
+        said.append(f"if (axes) axes[{j}][k] = {z}, axes[{j}][3 + k] = {p};")
+        if slides:
+            said.append(f"const double p{j} = {p} + q[{j}] * {z};")
+            p = f"p{j}"
         else:
-            out[-1] += ","
-            out.append(f"    {rest}")
-        kind = own
-    return "\n".join(out) + ";"
+            said.append(f"const double x{j} = c{j} * {x} + s{j} * {y}, y{j} = c{j} * {y} - s{j} * {x};")
+            x, y = f"x{j}", f"y{j}"
+        columns, names = [x, y, z], []
+        for name, column in zip("uvwp", link.T, strict=True):
+            text = _sum(column, columns, p if name == "p" else "")
+            if text not in (x, y, z, p):
+                said.append(f"const double {name}_{j} = {text};")
+                text = f"{name}_{j}"
+            names.append(text)
+        x, y, z, p = names
+    own = [f"const double c{j} = cos(q[{j}]), s{j} = sin(q[{j}]);" for j in turns]
+    start = ["const double x = NAME_base[k][0], y = NAME_base[k][1], z = NAME_base[k][2], p = NAME_base[k][3];"]
+    end = [f"T[4 * k{f' + {j}' if j else ''}] = {text};" for j, text in enumerate((x, y, z, p))]
+    return (
+        "/* To the tool; z and p of each joint's frame into axes where that is not null. */\n"
+        "static void NAME_walk(const double *q, double *T, double (*axes)[6]) {\n"
+        + "\n".join(packed([f"  {line}" for line in own]))
+        + "\n  int k;\n  for (k = 0; k < 3; ++k) {\n"
+        + "\n".join(packed([f"    {line}" for line in [*start, *said, *end]]))
+        + "\n  }\n}\n"
+    )
+
+
+def _sum(factors: Sequence[float], names: Sequence[str], first: str) -> str:
+    """Return a sum of multiples, those of zero left out."""
+    out = first
+    for factor, name in zip(factors, names, strict=True):
+        if factor == 0:
+            continue
+        size = "" if abs(factor) == 1 else f"{abs(float(factor))!r} * "
+        sign = "-" if factor < 0 else ""
+        out += f" {sign or '+'} {size}{name}" if out else f"{sign}{size}{name}"
+    return out or "0"
+
+
+def _inside(export: Export) -> dict[str, str]:
+    """Return the lines that turn joints inside their limits by whole turns where one can, and what says so."""
+    own, turned, truths = export.between, "", []
+    for j, (low, high, slides) in enumerate(zip(export.lower, export.upper, export.slides, strict=True)):
+        whole = own.gears is None and not slides  # comes in (-pi, pi]
+        kept = slides or (own.tied is not None and bool(own.tied[j]))
+        if whole and low <= -np.pi and high >= np.pi:
+            continue
+        below, above = (f"({limit!r})" if limit < 0 else repr(limit) for limit in (float(low), float(high)))
+        ends = [f"(q[{j}] >= {below})"] * bool(np.isfinite(low)) + [f"(q[{j}] <= {above})"] * bool(np.isfinite(high))
+        truths += [" & ".join(ends)] if ends else []
+        if kept or (whole and low > -np.pi and high < np.pi):
+            continue
+        turned += f"  if (q[{j}] < {below}) q[{j}] += NAME_turns({below} - q[{j}]);\n" * bool(np.isfinite(low))
+        turned += f"  if (q[{j}] > {above}) q[{j}] -= NAME_turns(q[{j}] - {above});\n" * bool(np.isfinite(high))
+    counted = (
+        "static double NAME_turns(double v) { return 6.28318530717958647693 * ceil(v / 6.28318530717958647693); }\n\n"
+    )
+    return {
+        "TURNS": "/* Whole turns that are no less. */\n" + counted if turned else "",
+        "TURNED": turned,
+        "INSIDE": " &\n         ".join(truths) or "q[0] == q[0]",
+    }
 
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    parts = own_parts(export) | C.parts(export)
-    parts["PROGRAM"] = packed(parts["PROGRAM"])
+    program = staged(export.program, C.words, C.entry)
+    parts = own_parts(export) | Notation.parts(C, export)
+    parts |= {"PROGRAM": program}
     for name in ("TEST_Q", "TEST_T"):
         short = parts[name].replace(", ", ",").replace(".0,", ",").replace(".0}", "}")
         parts[name] = re.sub(r"(?<![0-9.])0\.", ".", short)
-    rows = "  const double rows[8][6] = {@ROWS@};\n  const int valid[8] = {@VALID@};\n"
-    parts["FOUND"] = rows.replace("@ROWS@", parts["ROWS"]).replace("@VALID@", parts["VALID"])
     return filled(FRAME, parts, export)

@@ -252,20 +252,21 @@ MANY = """inline long NAME_ik_many(const double* T, long count, @VALUE@double* q
 }
 
 """
-SOLVED = """  double rows[@SLOTS@][6];
-  unsigned char valid[@SLOTS@], inside_six[@SLOTS@], flag = 0;
-  if (NAME_arm().solve(T, 1, rows[0], valid, inside_six, &flag) == 0) return -1;
+SOLVED = """  unsigned char held[@SLOTS@], inside_six[@SLOTS@], flag = 0;
+  if (NAME_arm().solve(T, 1, rows[0], held, inside_six, &flag) == 0) return -1;
+  for (m = 0; m < @SLOTS@; ++m) valid[m] = held[m];
+  doubt = (flag & 3) != 0;
 """
 
 
 def _between(parts: dict[str, str]) -> str:
     """Return what C says of joints that are not the six, around the kernel's rows, as a header says it."""
-    own = c.FRAME[c.FRAME.index("static const double NAME_lower") : c.FRAME.index("#ifdef NAME_MAIN")]
-    first, last = own.index("/* An angle that rounds"), own.index("/* The pose that T means")
+    own = c.FRAME[c.FRAME.index("@LIMITS@") : c.FRAME.index("#ifdef NAME_MAIN")]
+    first, last = own.index(c.ANGLE), own.index("/* The pose that T means")
     own = own[:first] + own[last:]
     own = re.sub(r"^(int|void|const char \*)(?= ?NAME_)", r"inline \1", own, flags=re.MULTILINE)
-    own = re.sub(r"^static (int|void) ", r"static inline \1 ", own, flags=re.MULTILINE)
-    for name in ("COUPLED", "NEAREST"):
+    own = re.sub(r"^static (int|void|double) (?=NAME_\w+\()", r"static inline \1 ", own, flags=re.MULTILINE)
+    for name in ("COUPLED", "NEAREST", "WALK", "TURNS"):
         parts[name] = re.sub(r"^static (int|void|double) ", r"static inline \1 ", parts[name], flags=re.MULTILINE)
     at = own.index("/* 0 where v is positive")
     return "#include <math.h>\n" + own[:at] + MANY + own[at:]
@@ -299,7 +300,6 @@ def text(export: Export) -> str:
         "VALUE_LAST": "" if own.held is None else ", double value",
         "LAST": "" if own.held is None else ", value",
         "PROGRAM": SOLVED.replace("@SLOTS@", slots).rstrip("\n"),
-        "UNCLEAR": "(flag & 3) != 0",
     }
     body = DIRECT + HANDY + TEST if direct else _between(parts) + HANDY
     return filled(FRAME.replace("@OWN_PART@@HANDY@@TEST@", body), parts, export)

@@ -6,11 +6,25 @@ from pieper.code.between import held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import USUAL, Language, filled, functions
+from pieper.code.program import LoopWords
 from pieper.tolerances import CLOSES, FILLED_STARTS, HOLDS_TO_ROUNDING, NEWTON_FINITE
+
+
+def _loop(loop: LoopWords) -> list[str]:
+    return [
+        *(f"  let {name} = {start};" for name, start in zip(loop.names, loop.start, strict=True)),
+        f"  for (let step = 0; step < {loop.steps}; ++step) {{",
+        *(f"  {line}" for line in loop.lines),
+        *(f"    {name} = {text};" for name, text in zip(loop.names, loop.next, strict=True)),
+        f"    if (!({loop.moving})) break;",
+        "  }",
+    ]
+
 
 JAVASCRIPT = Language(
     words=USUAL | functions("Math.") | {"angle": "angle({0}, {1})", "eq": "{0} === {1}", "ne": "{0} !== {1}"},
     assign=lambda name, _, expression: f"  const {name} = {expression};",
+    loop=_loop,
     infinity="Infinity",
     truths=("false", "true"),
     manner=Manner("Math.sin({0})", "Math.cos({0})", "q[{0}]", 0, "  const {0} = {1};", "side({0}, {1})"),

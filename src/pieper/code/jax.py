@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from pieper.code.export import Export
 from pieper.code.language import filled
+from pieper.code.program import LoopWords
 from pieper.code.python import LABEL, RIGID, arrays, own_parts
 from pieper.tolerances import NEWTON_FINITE
 
 NEAREST = """
 
 def _nearest(q, Ts):
-    # least squares: joint vectors (N, 8, n) whose poses come nearest to those asked for; by how much each misses
+    # least squares: joint vectors (k, 8, n) whose poses come nearest to those asked for; by how much each misses
     tested, weights = jnp.array(@TESTED@), jnp.array(@WEIGHTS@)
 
     def one(q, T):
@@ -27,8 +28,8 @@ def _nearest(q, Ts):
 FRAME = '''"""@HEADER@
 
 @SAID@NAME_ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits.
-NAME_ik_all(Ts) takes poses (N, 4, 4) and returns rows (N, 8, n) turned inside the limits where they can be, which of
-them hold (N, 8), which lie inside (N, 8), and which poses are unclear (N,): at and next to singular poses, where a row
+NAME_ik_all(Ts) takes poses (k, 4, 4) and returns rows (k, 8, n) turned inside the limits where they can be, which of
+them hold (k, 8), which lie inside (k, 8), and which poses are unclear (k,): at and next to singular poses, where a row
 may stand for many and rows may be missing. A rotation that was rounded is taken as the nearest one; what is no rigid
 motion is a ValueError of NAME_ik, and has no rows and is unclear in NAME_ik_all.
 NAME_fk(q) takes (n,) or, through jax.vmap, more; NAME_label(q) takes
@@ -73,6 +74,9 @@ def _walk(q):
 
 def NAME_fk(q):
     """Pose (4, 4) of a joint vector (n,)."""
+    q = jnp.asarray(q)
+    if q.shape != (N,):
+        raise ValueError(f"q must have shape (N,), got {q.shape}; jax.vmap takes more.")
 @TO_AXES@    return _walk(q)
 @OWN_FUNCTIONS@
 
@@ -95,7 +99,7 @@ def _rows(T):
 
 
 def NAME_ik_all(Ts@VALUES@):
-    """Rows (N, 8, n), which hold (N, 8), which lie inside the limits (N, 8), which poses are unclear (N,)."""
+    """Rows (k, 8, n), which hold (k, 8), which lie inside the limits (k, 8), which poses are unclear (k,)."""
     Ts, good = _rigid(jnp.asarray(Ts, jnp.float64))
     six, valid, unclear = _rows(@MOVED@)
     valid, unclear = valid & good[:, None], unclear | ~good
@@ -148,6 +152,20 @@ if __name__ == "__main__":
 '''
 
 
+def fixed_steps(loop: LoopWords) -> list[str]:
+    """Return a loop of so many steps, which can be compiled and differentiated."""
+    carried, name = ", ".join(loop.names), f"step_{loop.names[0]}"
+    return [
+        f"    def {name}(_, carried):",
+        f"        {carried} = carried",
+        *(f"    {line}" for line in loop.lines),
+        f"        return {', '.join(loop.next)}",
+        "",
+        f"    {carried} = jax.lax.fori_loop(0, {loop.steps}, {name}, "
+        f"tuple(jnp.broadcast_to(jnp.asarray(x, float), T.shape[:1]) for x in ({', '.join(loop.start)})))",
+    ]
+
+
 def text(export: Export) -> str:
     """Return the file's text."""
     own = export.between
@@ -162,4 +180,4 @@ def text(export: Export) -> str:
         "ALONE_IS": "~SLIDES_" if own.tied is None else "~SLIDES_ & ~_TIED",
     }
     frame = FRAME.replace("@LABEL@", LABEL).replace("@RIGID@", RIGID.replace("MODULE", "jnp"))
-    return filled(frame, arrays("jnp").parts(export) | parts, export)
+    return filled(frame, arrays("jnp", fixed_steps).parts(export) | parts, export)

@@ -11,7 +11,7 @@ import numpy as np
 
 from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.program import statements
+from pieper.code.program import LoopWords, Words, statements
 from pieper.tolerances import ROTATION_ACCEPTED
 
 #: How most languages say an operation, with {0} {1} {2} for its arguments.
@@ -111,18 +111,21 @@ class Language(Notation):
         words: An operation -> how it is said, with {0} {1} {2} for its arguments.
         entry: Says an entry (0 to 15, row by row) of the pose.
         assign: Takes a name, whether it is a truth, and an expression.
+        loop: Makes lines of a loop.
         per_row: How the joints of a row are put together, and the rows; all joints of all rows in one list if None.
     """
 
     words: Mapping[str, str]
     assign: Callable[[str, bool, str], str]
+    loop: Callable[[LoopWords], list[str]]
     entry: Callable[[int], str] = "T[{}]".format
     per_row: tuple[str, str] | None = None
 
     def parts(self, export: Export) -> dict[str, str]:
         """Return what stands for the @WORDS@ of a file."""
-        lines, said = statements(export.program, self.words, self.entry, self.assign)
         program, n, between = export.program, 6, ", "
+        words = Words(program, self.words, self.entry)
+        lines, said = statements(words, self.assign, self.loop), words.text
         rows = [said(i) for i in program.q]
         if self.per_row is not None:
             around, between = self.per_row

@@ -10,6 +10,7 @@ import numpy as np
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions
+from pieper.code.program import LoopWords
 from pieper.tolerances import CLOSES, FILLED_STARTS
 
 
@@ -22,6 +23,17 @@ class Matlab(Language):
         return inner if not inner.startswith("[[") else "[" + inner[2:-2].replace("], [", "; ...\n    ") + "]"
 
 
+def _loop(loop: LoopWords) -> list[str]:
+    return [
+        *(f"  {name} = {start};" for name, start in zip(loop.names, loop.start, strict=True)),
+        f"  for step = 1:{loop.steps}",
+        *(f"  {line}" for line in loop.lines),
+        *(f"    {name} = {text};" for name, text in zip(loop.names, loop.next, strict=True)),
+        f"    if ~({loop.moving}), break; end",
+        "  end",
+    ]
+
+
 MATLAB = Matlab(
     words=USUAL
     | ENTRYWISE
@@ -29,6 +41,7 @@ MATLAB = Matlab(
     | {"sqrt": "real_sqrt({0})", "angle": "angle_of({0}, {1})", "select": "pick({0}, {1}, {2})", "ne": "{0} ~= {1}"},
     entry=lambda k: f"T({k // 4 + 1}, {k % 4 + 1})",
     assign=lambda name, _, expression: f"  {name} = {expression};",
+    loop=_loop,
     infinity="Inf",
     truths=("0", "1"),
     header=lambda lines: "\n".join(f"% {line}" for line in lines),

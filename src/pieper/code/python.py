@@ -2,14 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from pieper.code.between import held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions, quoted
+from pieper.code.program import LoopWords
 from pieper.tolerances import CLOSES, FILLED_STARTS, NEWTON_FINITE
 
 
-def arrays(module: str) -> Language:
+def while_any_moves(loop: LoopWords) -> list[str]:
+    """Return a loop over arrays, which ends when none of their entries moves."""
+    carried = ", ".join(loop.names)
+    return [
+        f"    {carried} = {', '.join(loop.start)}",
+        f"    for _ in range({loop.steps}):",
+        *(f"    {line}" for line in loop.lines),
+        f"        {carried} = {', '.join(loop.next)}",
+        f"        if not np.any({loop.moving}):",
+        "            break",
+    ]
+
+
+def arrays(module: str, loop: Callable[[LoopWords], list[str]] = while_any_moves) -> Language:
     """Return the language of a module of arrays, NumPy or what is called as it is, after its name here."""
     named = {"angle": "_angle({0}, {1})", "select": f"{module}.where({{0}}, {{1}}, {{2}})"}
     named |= {"atan2": f"{module}.arctan2({{0}}, {{1}})", "true": f"{module}.True_", "false": f"{module}.False_"}
@@ -17,6 +33,7 @@ def arrays(module: str) -> Language:
         words=USUAL | ENTRYWISE | functions(f"{module}.") | named,
         entry=lambda k: f"T[:, {k // 4}, {k % 4}]",
         assign=lambda name, _, expression: f"    {name} = {expression}",
+        loop=loop,
         infinity=f"{module}.inf",
         truths=("False", "True"),
         header=quoted,
@@ -125,7 +142,7 @@ def _move_inside(q):
 NEAREST = """
 
 def _nearest(q, Ts):
-    # least squares: joint vectors (N, 8, n) whose poses come nearest to those asked for; by how much each misses
+    # least squares: joint vectors (k, 8, n) whose poses come nearest to those asked for; by how much each misses
     tested, weights, point = @TESTED@, np.array(@WEIGHTS@), np.array([0.0, 0.0, 0.0, 1.0])[:, None]
     for step in range(4):
         frames, P = _walk(q)
@@ -172,8 +189,8 @@ def NAME_label(q):
 FRAME = '''"""@HEADER@
 
 @SAID@ik(T) takes a pose (4, 4), base to tool, and returns the joint vectors (m, n) inside the limits; ik_all(Ts)
-takes poses (N, 4, 4) and returns rows (N, 8, n) before limits, which of them hold (N, 8), and which poses are unclear
-(N,): at and next to singular poses, where a row may stand for many and rows may be missing. A rotation that was rounded
+takes poses (k, 4, 4) and returns rows (k, 8, n) before limits, which of them hold (k, 8), and which poses are unclear
+(k,): at and next to singular poses, where a row may stand for many and rows may be missing. A rotation that was rounded
 is taken as the nearest one; what is no rigid motion is a ValueError. fk(q) and jacobian(q) take (..., n), label(q)
 takes (n,).
 """
@@ -241,10 +258,10 @@ def _rows(T):
 
 
 def ik_all(Ts@VALUES@):
-    """Rows (N, 8, n) of poses (N, 4, 4) before limits, which hold (N, 8), which poses are unclear (N,)."""
+    """Rows (k, 8, n) of poses (k, 4, 4) before limits, which hold (k, 8), which poses are unclear (k,)."""
     Ts = np.asarray(Ts, float)
     if Ts.ndim != 3 or Ts.shape[1:] != (4, 4):
-        raise ValueError(f"Ts must have shape (N, 4, 4), got {Ts.shape}.")
+        raise ValueError(f"Ts must have shape (k, 4, 4), got {Ts.shape}.")
 @VALUES_CHECKED@    Ts, good = _rigid(Ts)
     if not good.all():
         raise ValueError(_NO_POSE.format(int(np.argmin(good))))

@@ -13,8 +13,7 @@ from pieper.description.place import Place, kind_of
 from pieper.description.robotparse import LARGEST_FILE
 from pieper.description.robottext import text_of
 from pieper.description.shapes import KINDS, Shape, unique_names
-from pieper.description.urdf import bytes_of
-from pieper.description.wholefile import replace_file
+from pieper.description.wholefile import bytes_of, replace_file
 from pieper.errors import InputError
 from pieper.words_by_number import plural
 

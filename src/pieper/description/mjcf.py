@@ -16,7 +16,8 @@ from pieper.description.mjcf_ties import body_names, name_of, remarks, ties_of, 
 from pieper.description.shapes import Unmeasured
 from pieper.description.tree import Joint, Tree
 from pieper.description.treearm import arm_of
-from pieper.description.urdf import LARGEST_FILE, bytes_of
+from pieper.description.urdf import LARGEST_FILE
+from pieper.description.wholefile import bytes_of
 from pieper.errors import InputError
 from pieper.kinematics.orientation import rotation
 from pieper.kinematics.pose import rotation_about, transform

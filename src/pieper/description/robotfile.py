@@ -9,7 +9,7 @@ from pieper.description.dh import Description
 from pieper.description.rewrite import rewritten
 from pieper.description.robotparse import LARGEST_FILE, parse
 from pieper.description.robottext import dumps
-from pieper.description.wholefile import no_file, replace_file
+from pieper.description.wholefile import bytes_of, replace_file
 from pieper.errors import InputError
 
 __all__ = ["dumps", "loads", "read", "write"]
@@ -27,15 +27,7 @@ def read(path: str | Path) -> Description:
     Raises:
         InputError: The file cannot be read or says something impossible; the message names file, line, joint and key.
     """
-    path = Path(path)
-    try:
-        with path.open("rb") as stream:
-            data = stream.read(LARGEST_FILE + 1)
-    except FileNotFoundError:
-        raise no_file(path) from None
-    except OSError as error:
-        raise InputError(f"{str(path)!r} cannot be read: {error.strerror}.", file=str(path)) from None
-    return parse(data, str(path))
+    return parse(bytes_of(Path(path), LARGEST_FILE, "robot file"), str(path))
 
 
 def loads(text: str | bytes, file: str = "<text>") -> Description:

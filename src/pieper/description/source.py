@@ -12,6 +12,7 @@ import numpy as np
 from pieper import arguments
 from pieper.description import catalog, robotfile
 from pieper.description.dh import Description
+from pieper.description.wholefile import bytes_of
 from pieper.errors import InputError
 from pieper.kinematics.pose import inverse
 
@@ -78,7 +79,7 @@ def read(
     if ending in (".xml", ".mjcf"):
         from pieper.description import mjcf, urdf
 
-        first = urdf.first_element(urdf.bytes_of(path, urdf.LARGEST_FILE, "robot file"), text)
+        first = urdf.first_element(bytes_of(path, urdf.LARGEST_FILE, "robot file"), text)
         if first == "mujoco":
             return mjcf.read(path, base=base, tip=tip, missing_limits=missing_limits)
         if first == "robot":

@@ -11,7 +11,7 @@ import numpy as np
 from pieper import arguments
 from pieper.description.axes import described_by_axes
 from pieper.description.dh import Description
-from pieper.description.urdf import bytes_of
+from pieper.description.wholefile import bytes_of
 from pieper.errors import InputError
 from pieper.kinematics.orientation import rotation
 

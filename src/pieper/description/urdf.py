@@ -17,7 +17,7 @@ from pieper.description.ends import find_ends
 from pieper.description.shapes import Unmeasured
 from pieper.description.tree import Joint, Mimic, Tree, some
 from pieper.description.treearm import arm_of
-from pieper.description.wholefile import no_file
+from pieper.description.wholefile import bytes_of
 from pieper.errors import InputError
 from pieper.kinematics.orientation import rotation
 from pieper.tolerances import ALL_BUT_ZERO, NO_DIRECTION, REMARKABLE, ROUNDING
@@ -69,24 +69,6 @@ def read(
     """
     data = bytes_of(Path(path), LARGEST_FILE, "URDF")
     return loads(data, file=str(path), base=base, tip=tip, exact_angles=exact_angles, missing_limits=missing_limits)
-
-
-def bytes_of(path: Path, most: int, kind: str) -> bytes:
-    """Return what stands in a file of at most `most` bytes.
-
-    Raises:
-        InputError: It is missing, cannot be read, or is larger.
-    """
-    try:
-        with path.open("rb") as stream:
-            data = stream.read(most + 1)
-    except FileNotFoundError:
-        raise no_file(path) from None
-    except OSError as error:
-        raise InputError(f"{str(path)!r} cannot be read: {error.strerror}.", file=str(path)) from None
-    if len(data) > most:
-        raise InputError(f"{path}: larger than {most:,} bytes; this is not a {kind}.", file=str(path))
-    return data
 
 
 def loads(

@@ -15,6 +15,7 @@ from pieper.description.dh import Description
 from pieper.description.tree import Tree
 from pieper.description.tree_bodies import links_of
 from pieper.description.urdf_solids import mesh_file, numbers_of, origin_of
+from pieper.description.wholefile import bytes_of
 
 Array = npt.NDArray[np.float64]
 #: A link's shapes: where each stands in the link, and what it is.
@@ -97,7 +98,7 @@ Read: TypeAlias = "tuple[Tree, Shapes, list[str], dict[str, npt.NDArray[np.float
 
 def _of_urdf(arm: Description, path: Path) -> Read:
     text = xacro.expanded(path, {}) if path.suffix.lower() == ".xacro" else None
-    data = urdf.bytes_of(path, urdf.LARGEST_FILE, "URDF") if text is None else text.encode()
+    data = bytes_of(path, urdf.LARGEST_FILE, "URDF") if text is None else text.encode()
     exact = True if arm.unmeasured is None else arm.unmeasured.exact_angles
     shapes, notes = _said(data)
     return urdf.parse(data, str(path), exact), shapes, notes, {}

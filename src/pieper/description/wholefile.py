@@ -1,4 +1,4 @@
-"""A text file of ours written whole or not at all, and on the disk when that is said; files that are not there."""
+"""A text file of ours written whole or not at all, and on the disk when that is said; files read, or not there."""
 
 from __future__ import annotations
 
@@ -16,6 +16,24 @@ def replace_file(target: Path, text: str) -> None:
         stream.write(text.encode())
         stream.flush()
         os.fsync(stream.fileno())
+
+
+def bytes_of(path: Path, most: int, kind: str) -> bytes:
+    """Return what stands in a file of at most `most` bytes.
+
+    Raises:
+        InputError: It is missing, cannot be read, or is larger.
+    """
+    try:
+        with path.open("rb") as stream:
+            data = stream.read(most + 1)
+    except FileNotFoundError:
+        raise no_file(path) from None
+    except OSError as error:
+        raise InputError(f"{str(path)!r} cannot be read: {error.strerror}.", file=str(path)) from None
+    if len(data) > most:
+        raise InputError(f"{path}: larger than {most:,} bytes; this is not a {kind}.", file=str(path))
+    return data
 
 
 def no_file(path: Path) -> InputError:

@@ -14,6 +14,7 @@ from typing import NoReturn
 from pieper.description import urdf
 from pieper.description.dh import Description
 from pieper.description.tree import some
+from pieper.description.wholefile import bytes_of
 from pieper.errors import InputError
 
 #: How many files around one that only defines macros are looked through for one that uses them.
@@ -43,7 +44,7 @@ def read(
         InputError: The extra is not installed, or the file cannot be expanded; the message says why.
     """
     path = Path(path)
-    urdf.bytes_of(path, urdf.LARGEST_FILE, "xacro")
+    bytes_of(path, urdf.LARGEST_FILE, "xacro")
     text = expanded(path, arguments or {})
     if "<joint" not in text:
         users = _users(path)

@@ -6,7 +6,7 @@ import warnings
 
 import numpy as np
 
-from pieper import arguments
+from pieper import _kernel, arguments
 from pieper.errors import InputError, PieperWarning
 from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.chain import Chain
@@ -24,12 +24,14 @@ def checked_joints(q: ArrayLike, n: int, what: str = "q", prismatic: Bools | Non
         what: The name to use in messages.
         prismatic: (n,) bool; where it is given, revolute joints that look like degrees get a warning.
     """
+    if _kernel.usual_joints(q, n, DEGREES_LIKELY):
+        return q
     joints = arguments.numbers(q, what)
     if joints.ndim == 0 or joints.shape[-1] != n:
         found = joints.shape if joints.ndim else arguments.kind_of(q)
         raise InputError(f"{what} must have shape (..., {n}), one number a joint, got {found}.", given=joints.shape)
-    # one comparison finds NaN, infinities and degrees
-    if not np.abs(joints).max(initial=0.0) < DEGREES_LIKELY:
+    # these find NaN, infinities and degrees
+    if not (joints.max(initial=0.0) < DEGREES_LIKELY and joints.min(initial=0.0) > -DEGREES_LIKELY):
         _look_closer(joints, what, prismatic)
     return joints
 

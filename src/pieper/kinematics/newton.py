@@ -16,10 +16,14 @@ from pieper.tolerances import (
     NEWTON_DONE,
     NEWTON_FINITE,
     NEWTON_HELD_RANK,
+    NEWTON_REGULAR,
     NEWTON_SQUARE,
     NEWTON_STALLS,
     TINY,
 )
+
+#: Longest step (rad; lengths of the arm).
+LONGEST = 0.5
 
 #: From joint vectors (k, n) and their places in the batch (k,): what is missed (k, r), or its slope (k, r, n).
 Equations = Callable[[Array, Indices], Array]
@@ -162,7 +166,7 @@ def newton(
     *,
     steps: int = 12,
     cutoff: float = NEWTON_CUTOFF,
-    max_step: float = 0.5,
+    max_step: float = LONGEST,
     rows: Array | None = None,
 ) -> Array:
     """Move joint vectors q (..., n) towards the poses T (..., 4, 4), or one by minimum-norm Newton steps.
@@ -187,13 +191,8 @@ def newton(
 
     start = q.reshape(-1, chain.n)
     if rows is None and chain.coupling is None:
-        moved = _kernel.onto(
-            chain.plain,
-            q=start,
-            T=poses,
-            steps=steps,
-            cutoff=cutoff,
-            longest=max_step,
+        moved, _ = _kernel.onto(
+            chain.plain, q=start, T=poses, steps=steps, cutoff=cutoff, longest=max_step, regular=1.0
         )
         return moved.reshape(q.shape)
     counted = np.eye(6) if rows is None else rows
@@ -206,6 +205,19 @@ def newton(
 
     step = shortest(cutoff)
     return settled(miss, slope, start, chain.joints.unit, steps=steps, longest=max_step, step=step)[0].reshape(q.shape)
+
+
+def newton_quick(chain: Chain, q: Array, T: Array, steps: int) -> tuple[Array, Array]:
+    """Move joint vectors q (k, n) towards the poses T (k, 4, 4) like `newton`, and return them and what they miss (k,).
+
+    The same steps but for rounding: where the Jacobian is far from losing rank they take no singular values.
+    """
+    if chain.coupling is not None:
+        moved = newton(chain, q, T, steps=steps)
+        return moved, missed(chain, moved, T)
+    return _kernel.onto(
+        chain.plain, q=q, T=T, steps=steps, cutoff=NEWTON_CUTOFF, longest=LONGEST, regular=NEWTON_REGULAR
+    )
 
 
 def newton_on_plane(

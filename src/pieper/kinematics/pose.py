@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol, TypeAlias
+from typing import Any, Protocol, TypeAlias, TypeGuard
 
 import numpy as np
 
-from pieper import arguments
+from pieper import _kernel, arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.tolerances import FARTHEST, NEAR_HALF_TURN, ROTATION_ACCEPTED, ROTATION_EXACT, SMALL_TURN, TINY
@@ -90,6 +90,14 @@ def as_pose(T: Any) -> Any:
     return T
 
 
+def is_exact(T: Any) -> TypeGuard[Array]:
+    """Return whether T is a float64 array (..., 4, 4) of poses that `checked_pose` finds nothing to say or mend about.
+
+    Only the better half of what counts as exact is: products are rounded differently in the kernel and here.
+    """
+    return _kernel.exact_poses(T, ROTATION_EXACT / 2, FARTHEST)
+
+
 def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
     """Return poses as float64 with an exact rotation part, or say what is wrong with them.
 
@@ -107,6 +115,8 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
     Raises:
         InputError: Wrong shape, a number that is not finite, a last row other than 0 0 0 1, not a rotation.
     """
+    if is_exact(T) and (batch or T.ndim == 2):
+        return T.copy()
     try:
         given = np.asarray(as_pose(T))
         if np.iscomplexobj(given):

@@ -20,7 +20,7 @@ from pieper.maps.tile import MEASURES, Question, Tile
 from pieper.words_by_number import plural
 
 #: Version of the layout; another one is refused, not guessed at.
-LAYOUT = 4
+LAYOUT = 5
 #: Bytes of a map that is refused without a store.
 MOST_BYTES = 10_000_000_000
 
@@ -93,9 +93,11 @@ class Store:
 
     Args:
         folder: Where it is.
+        map: SHA-256 of what makes the map that map.
     """
 
     folder: Path
+    map: str
 
     @staticmethod
     def opened(path: str | os.PathLike[str], wanted: dict[str, Any]) -> Store:
@@ -108,8 +110,8 @@ class Store:
         page = folder / "map.json"
         try:
             folder.mkdir(parents=True, exist_ok=True)
-            known = json.loads(page.read_text()) if page.exists() else None
-            if not isinstance(known, dict | None):
+            known = json.loads(page.read_text()) if page.exists() else {}
+            if not isinstance(known, dict):
                 raise ValueError("it is no object")
         except ValueError as error:
             raise InputError(
@@ -120,7 +122,7 @@ class Store:
             raise InputError(f"store: {folder} is or lies below a file; a store is a folder.", path=folder) from None
         except OSError as error:
             raise InputError(f"store: {folder} cannot be used: {error}.", path=folder) from None
-        if known is None:
+        if not page.exists():
             with whole_file(page) as file:
                 file.write(json.dumps(wanted, indent=1).encode())
         elif known != wanted:
@@ -131,7 +133,7 @@ class Store:
                 path=folder,
                 differs=other,
             )
-        return Store(folder)
+        return Store(folder, hashlib.sha256(json.dumps(wanted, sort_keys=True).encode()).hexdigest())
 
     def put(self, number: int, tile: Tile) -> str:
         """Write a tile whole, then its mark; returns its checksum."""
@@ -142,19 +144,23 @@ class Store:
         with whole_file(self._tile(number)) as file:
             file.write(data)
         with whole_file(self._mark(number)) as file:
-            file.write(mark.encode())
+            file.write(self._marked(mark, number).encode())
         return mark
 
     def get(self, number: int) -> Tile | None:
-        """Return a tile that is there whole; None where it, its mark or a bit of it is missing."""
+        """Return a tile of this map and place that is whole; None where it, its mark or a bit of it is missing."""
         try:
             data, mark = self._tile(number).read_bytes(), self._mark(number).read_text()
         except OSError:
             return None
-        if hashlib.sha256(data).hexdigest() != mark:
+        if mark != self._marked(hashlib.sha256(data).hexdigest(), number):
             return None
         held = np.load(io.BytesIO(data))
         return Tile(held["bits"], held["count"], held["measures"])
+
+    def _marked(self, checksum: str, number: int) -> str:
+        """Return a tile's mark: its checksum, then whose it is, so that no other map's or place's is taken for it."""
+        return f"{checksum} {number} {self.map}\n"
 
     def _tile(self, number: int) -> Path:
         return self.folder / f"tile_{number:06d}.npz"

@@ -296,7 +296,8 @@ class Continuation:
             (n,) joint vector, and whether forward kinematics confirms it.
         """
         T = self.pose(x)
-        q = newton(self.chain, q, T, cutoff=FOLLOWED_RANK, max_step=np.inf, rows=self._task_rows(T))
+        rows = None if self.plan.task == "pose" else self._task_rows(T)  # of a whole pose the kernel does it
+        q = newton(self.chain, q, T, cutoff=FOLLOWED_RANK, max_step=np.inf, rows=rows)
         return q, bool(self.residual(q, x) <= VERIFIED)
 
     def residual(self, q: Array, x: float) -> float:

@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pieper.drawing.style import COLOURS, INK, legend, new_figure, plain_axes
+from pieper.drawing.style import COLOURS, INK, MM, legend, new_figure, plain_axes
 from pieper.kinematics.arrays import Array
-from pieper.motion.route.result import Route
+from pieper.motion.route.result import Blocked, Route
+from pieper.motion.route.turn_map import TurnMap
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 #: Most branches that are told apart, each in a strip of its own.
@@ -19,6 +21,8 @@ MOST = 8
 ROUND, QUARTER, EDGE = 360.0, 90.0, 10.0
 #: Part of an interval of turns that is left free beyond its ends.
 INSET = 0.05
+#: The narrowest band, in parts of the path; words stand so far off it, up so much of the strip, on the roomier side.
+THIN, ASIDE, UP, MIDDLE = 0.004, 0.012, 0.08, 0.5
 #: Where a legend stands: beside the title of its strip, off what is drawn in it.
 ABOVE: dict[str, Any] = {"loc": "lower right", "bbox_to_anchor": (1.0, 0.98), "borderaxespad": 0.0}
 
@@ -74,13 +78,49 @@ def route_figure(route: Route, *, title: str = "") -> Figure:
             if axes.get_legend_handles_labels()[1]:
                 legend(axes, **ABOVE)
         elif route.blocked is not None:
-            first, last = route.blocked.s
-            axes.axvspan(first, max(last, first + 0.004), color=INK, alpha=0.85, linewidth=0, label="blocked")
-            if k == 0:
-                legend(axes, **ABOVE)
+            _draw_proof(axes, route.blocked, _shut(route, known, k), first=k == 0)
     name = title or f"{route.plan.name}: {route.verdict.name.lower()}"
     figure.suptitle(name, color=INK, fontsize=11, x=0.02, ha="left")
     return figure
+
+
+def _shut(route: Route, known: TurnMap, strip: int) -> str:
+    """Return what shuts a strip at the place that nothing gets past, in a few words; none where that is not known."""
+    blocked, plan = route.blocked, route.plan
+    assert blocked is not None
+    back = blocked.begun > blocked.s[1]
+    # the first station that nothing gets to
+    far = np.searchsorted(known.s, blocked.s[0], "right") - 1 if back else np.searchsorted(known.s, blocked.s[1])
+    if known.open[strip][np.clip(far, 0, len(known.s) - 1)].any():
+        return f"open, but not reached from {'behind' if back else 'before'}"
+    for closed in blocked.closed:
+        if closed.branch == known.branches[strip] and closed.joint in plan.names:
+            scale, unit = (MM, " mm") if plan.prismatic[plan.names.index(closed.joint)] else (np.degrees(1.0), "°")
+            limit, excess = closed.limit * scale, closed.excess * scale
+            return f"{closed.joint} {closed.side} {limit:.4g}{unit}: {excess:.2g}{unit} short"
+    return ""
+
+
+def _draw_proof(axes: Axes, blocked: Blocked, words: str, *, first: bool) -> None:
+    """Draw where a strip is shut, by what, and along what part of the path everything was followed to there."""
+    begin, end = blocked.s
+    last = max(end, begin + THIN)
+    axes.axvspan(begin, last, color=INK, alpha=0.85, linewidth=0, label="blocked")
+    followed = (blocked.begun, begin) if blocked.begun < begin else (last, blocked.begun)
+    if followed[1] - followed[0] > THIN:
+        axes.axvspan(*followed, facecolor="none", edgecolor=INK, alpha=0.25, linewidth=0, hatch="//", label="followed")
+    left = (begin + last) / 2 > MIDDLE
+    axes.annotate(
+        words,
+        (begin - ASIDE if left else last + ASIDE, UP),
+        xycoords=("data", "axes fraction"),
+        ha="right" if left else "left",
+        color=INK,
+        fontsize=8,
+        bbox={"facecolor": "white", "alpha": 0.8, "linewidth": 0, "pad": 1.5} if words else None,
+    )
+    if first:
+        legend(axes, **ABOVE, ncols=2)
 
 
 def _shown(turn: Array) -> tuple[float, float]:

@@ -23,7 +23,7 @@ from pieper.made_by import installed_version
 from pieper.presentation import sections_arm
 from pieper.presentation.plot_reach import joint_range
 from pieper.presentation.sections_lesson import add_dh_steps, add_jacobian, add_triangle
-from pieper.presentation.sections_motion import add_solutions, add_track, scientific
+from pieper.presentation.sections_motion import add_route, add_solutions, add_track, scientific
 from pieper.presentation.sections_scale import add_fit, add_map
 from pieper.tolerances import WHOLE_TURN
 from pieper.words_by_number import plural
@@ -31,6 +31,7 @@ from pieper.words_by_number import plural
 if TYPE_CHECKING:
     from pieper.calibration.fit import Fit
     from pieper.maps.reach_map import ReachMap
+    from pieper.motion.route.result import Route
     from pieper.motion.track import Track
     from pieper.presentation.arm import Arm
     from pieper.solver.results import Solutions
@@ -45,6 +46,7 @@ def report(
     *,
     pose: np.ndarray | None = None,
     track: Track | None = None,
+    route: Route | None = None,
     comparison: Comparison | None = None,
     reach_map: ReachMap | None = None,
     fit: Fit | None = None,
@@ -56,6 +58,7 @@ def report(
         arm: The arm.
         pose: (4, 4) the pose to solve, m; one with many solutions is chosen when left out.
         track: A path study to include.
+        route: A route along poses that leave something free, found or refused, to include.
         comparison: What `arm.verify` found, to include.
         reach_map: A map of it to include.
         fit: A calibration of it to include.
@@ -93,6 +96,9 @@ def report(
     if track is not None:
         page.section("A path")
         add_track(page, arm, track)
+    if route is not None:
+        page.section("A route")
+        add_route(page, route)
     if comparison is not None:
         add_comparison(page, comparison)
     if reach_map is not None:
@@ -111,6 +117,7 @@ def write_report(
     markdown: Path | None = None,
     pose: np.ndarray | None = None,
     track: Track | None = None,
+    route: Route | None = None,
     comparison: Comparison | None = None,
     reach_map: ReachMap | None = None,
     fit: Fit | None = None,
@@ -125,6 +132,7 @@ def write_report(
         markdown: Where to write the same as Markdown, its figures in a folder beside it; not written when left out.
         pose: As in `report`.
         track: As in `report`.
+        route: As in `report`.
         comparison: As in `report`.
         reach_map: As in `report`.
         fit: As in `report`.
@@ -139,7 +147,16 @@ def write_report(
     out = arguments.file_ending(out, (".html", ".htm"), "a report's page")
     latex = None if latex is None else arguments.file_ending(latex, (".tex",), "a report's LaTeX source")
     markdown = None if markdown is None else arguments.file_ending(markdown, (".md", ".markdown"), "its Markdown")
-    page = report(arm, pose=pose, track=track, comparison=comparison, reach_map=reach_map, fit=fit, letters=letters)
+    page = report(
+        arm,
+        pose=pose,
+        track=track,
+        route=route,
+        comparison=comparison,
+        reach_map=reach_map,
+        fit=fit,
+        letters=letters,
+    )
     written = [write_whole(out, html_page(page))]
     for path, source in ((latex, latex_source), (markdown, markdown_source)):
         if path is not None:

@@ -12,10 +12,12 @@ from pieper.kinematics.orientation import rpy_of
 from pieper.presentation.plot_arm import configuration_figure, solutions_figure
 from pieper.presentation.plot_curves import coordinates_figure, joints_figure, time_figure
 from pieper.presentation.plot_path import path_figure
+from pieper.presentation.plot_route import route_figure
 from pieper.presentation.sections_arm import fixed, joint_heads, joint_value
 from pieper.tolerances import ROUNDING
 
 if TYPE_CHECKING:
+    from pieper.motion.route.result import Route
     from pieper.motion.sequence import Motion
     from pieper.motion.track import Track
     from pieper.presentation.arm import Arm
@@ -131,6 +133,40 @@ def add_track(page: Document, arm: Arm, track: Track, *, prefix: str = "path") -
             left=(0, 1, 5),
             strong=() if track.chosen is None else (track.chosen,),
         )
+
+
+def add_route(page: Document, route: Route, *, name: str = "route") -> None:
+    """Add a route: its verdict, what closes each branch where there is none, and its map of path and turn."""
+    reason, *more = route.explain().splitlines()
+    page.add(f"The path leads from {pose_words(route.path[0])} to {pose_words(route.path[-1])}. {reason}")
+    blocked = route.blocked
+    if blocked is None:
+        page.add(" ".join(more))
+    else:
+        page.add(blocked.why)
+    if blocked is not None and blocked.closed:
+        rows = []
+        for closed in blocked.closed:
+            slides = closed.joint in route.plan.names and route.plan.prismatic[route.plan.names.index(closed.joint)]
+            scale, unit = (MM, "mm") if slides else (np.degrees(1.0), "°")
+            values = [f"{fixed(v * scale, 3)} {unit}" for v in (closed.limit, closed.excess)]
+            rows.append([closed.branch, closed.joint, closed.side, *values])
+        page.table(
+            ["posture", "joint", "side", "limit", "short by"],
+            rows,
+            "What closes each branch at that place: the joint that would pass a limit, and by how much at the best of "
+            "the turns looked at.",
+            left=(0, 1, 2),
+        )
+    if not (route.setting.turn_on_grid and route.free.turns):
+        return
+    if blocked is None:
+        words = "the curve is the route, which goes on in another strip where its posture changes"
+    else:
+        words = "black is the place that nothing gets past; hatched, where everything was followed to it with proof"
+    page.add(
+        picture(route_figure(route), f"The open turns of the tool along the path, a strip a posture: {words}.", name)
+    )
 
 
 def add_motion(page: Document, arm: Arm, motion: Motion, words: str, *, name: str = "time") -> None:

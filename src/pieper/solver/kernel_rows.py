@@ -12,6 +12,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton
 from pieper.solver.plan.plan import Plan
 from pieper.solver.refilled import refilled_rows
+from pieper.solver.rows import Flag
 from pieper.tolerances import BESIDE_UNSOLVED, CLOSES, FILLED_STARTS, PULLED_RANK, SAME_ROW
 
 
@@ -73,16 +74,17 @@ def _at_value(plan: Plan, T: Array, value: Array, threads: int) -> tuple[Array, 
     poses = np.ascontiguousarray(T)
     try:
         q, valid, _, flags = plan.solvers.at(tuple(value)).many(poses, threads)
-    except PlanError as refused:
-        return _beside_special(plan, poses, value, threads, refused)
+    except PlanError:
+        return _beside_special(plan, poses, value, threads)
     return q, valid, flags
 
 
-def _beside_special(plan: Plan, T: Array, value: Array, threads: int, refused: PlanError) -> tuple[Array, Bools, Bits]:
+def _beside_special(plan: Plan, T: Array, value: Array, threads: int) -> tuple[Array, Bools, Bits]:
     """Solve where two axes come to coincide, for one: from rows a little beside that value, brought onto it.
 
     What is left of the arm there loses a freedom. A pose in general has no solution at that value then, and one that
-    was made there has a continuous set, of which some points are given.
+    was made there has a continuous set, of which some points are given. Where nothing beside has a solver either (an
+    arm that is nearly one with more joints to spare) there are no rows at this value, and nothing is certain of it.
     """
     six = plan.reduction.six(value)
     for step in BESIDE_UNSOLVED:
@@ -97,7 +99,7 @@ def _beside_special(plan: Plan, T: Array, value: Array, threads: int, refused: P
         q[pose, slot] = six.joints.wrapped(moved)
         valid[pose, slot] = missed(six, moved, T[pose]) < CLOSES
         return q, without_repeats(six, q, valid), flags
-    raise refused
+    return np.zeros((len(T), 1, 6)), np.zeros((len(T), 1), bool), np.full(len(T), int(Flag.UNCERTAIN), np.uint8)
 
 
 def without_repeats(chain: Chain, q: Array, valid: Bools) -> Bools:

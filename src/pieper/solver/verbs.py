@@ -13,7 +13,7 @@ import numpy as np
 from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
-from pieper.kinematics.pose import PoseLike, as_pose, checked_pose
+from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, is_exact
 from pieper.solver.afar import one_from_afar, rows_from_afar
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.batches import (
@@ -246,12 +246,13 @@ def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
     read = plan.solver.read(pose, q, flag)
     if read is None or (read.self_motions and not (plan.spec.closed_form or read.inside.any())):
         return None  # a curve that was followed may pass the limits between its points
-    from pieper.solver.singular.read_off import examined
+    from pieper.solver.singular.read_off import crowded, examined
 
+    if not read.self_motions and crowded(plan, read.q):
+        return None
     T = checked_pose(pose) if read.flag & _ROUNDED else pose
     found = examined(plan, T, read)
-    slots = _SLOTS[: len(read.q)]
-    return Solutions(plan, WORDS, T, read.q, slots, read.inside, read.flag, found, found.motions)
+    return Solutions(plan, WORDS, T, read.q, _SLOTS[: len(read.q)], read.inside, read.flag, found, found.motions)
 
 
 def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: int) -> Solutions:
@@ -294,6 +295,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     if not np.all(np.abs(poses[~some, :3, 3]) <= FARTHEST):
         checked_pose(poses, "Ts", batch=True)  # the kernel refuses no place, however far
     from pieper.solver.singular.careful import overlooked, sure_beside
+    from pieper.solver.singular.read_off import crowded
 
     near = rows_from_afar(plan, poses, rows, status, ik_many)
     marked = near & ((rows.flags & _DEGENERATE) > 0)
@@ -313,6 +315,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         read = plan.solver.read_into(poses, index, rows)
         if not plan.spec.closed_form:
             read[(read == 2) & ~any_row(rows.inside[index])] = 0  # as in `_read`
+            read[read == 1] = [not crowded(plan, rows.of(i)[0]) for i in index[read == 1].tolist()]
         seen, curve = index[read > 0], index[read == 2]
         status[seen] = _PLAIN[1 + any_row(rows.inside[seen])]
         status[curve[any_row(rows.inside[curve])]] = np.uint8(Status.SINGULAR)
@@ -353,19 +356,19 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
     rows = rows_at_choice(plan, T[None], asked, 1, _alone)
     without_doubt(plan, T[None], rows)
     q, slots, inside, flag = rows.of(0)
-    if not np.array_equal(T, np.asarray(as_pose(given), float)):
-        flag |= Flag.ROUNDED
+    if not is_exact(given) and not np.array_equal(T, np.asarray(as_pose(given), float)):
+        flag |= _ROUNDED
     if (flag & _DOUBTFUL or not len(q)) and (far := one_from_afar(plan, T, ik)):
         return far[0]
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))
     motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults)
-    if asked.free and not inside.any():
+    if asked.free and not np.count_nonzero(inside):
         rows, kind = choose_elsewhere(plan, T[None], rows, 1)
         q, slots, inside, there = rows.of(0)
         motions = motions if kind[0] else ()
         flag = there | (flag & _ROUNDED)
-    if asked.free and inside.any():
+    if asked.free and np.count_nonzero(inside):
         flag &= ~_UNCERTAIN  # of rows at a value that nobody chose nobody was told that they are all
     return Solutions(asked.plan, WORDS, T, q, slots, inside, int(flag) & ~(_DEGENERATE | _EDGE), self_motions=motions)
 

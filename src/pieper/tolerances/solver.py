@@ -12,6 +12,8 @@ LINKAGE_STARTS = 1e-4
 #: Rows whose filled joints come out below this are moved onto zero, and count where they close: where a filled joint is
 #: nearly free, rounding alone moves it far.
 FILLED_STARTS = 1e-4
+#: Entries of R^T R - I whose squares add up to less are nothing to rounding after one step to the nearest rotation.
+POLAR_SETTLES = 1e-18
 #: One below this may have been meant to be zero: double roots are known to half the digits, fourfold ones to a quarter.
 NEARLY_ZERO = 1e-3
 #: Two postures merge beyond a miss of their squared relative singular value over a few: below this part of it a posture
@@ -22,6 +24,8 @@ SAME_AFTER_CUT = 1e-6
 
 #: Singular values below this part of the largest do not count for a rank.
 RANK = 1e-7
+#: Nor do those below this part for anything: they are zero, and rounding made them.
+RANK_ROUNDING = 1e-13
 #: Offsets and twists (per length; rad) up to which the two sides of an offset wrist are taken for alike, and from which
 #: they are taken for different. Between the two every root is nearly double: such an arm goes to the general solver.
 SIDES_ALIKE = 1e-13
@@ -51,6 +55,8 @@ DAMPED_INVERSE = 1e-6
 BESIDE_UNSOLVED = (1e-4, -1e-4, 1e-3)
 #: Directions that the pose feels less than this part of the most carry no step onto the pose: the joints stay near.
 PULLED_RANK = 1e-7
+#: Nor do those below this part for anything: they are zero, and rounding made them.
+RANK_ROUNDING = 1e-13
 #: How near to a special arrangement an arm is tried as one, the nearest first, where no elimination is certain (rad;
 #: per length): beyond the last of them eliminations are certain again.
 NEARLY_SPECIAL = (1e-10, 1e-8, 1e-6, 2e-5)
@@ -86,8 +92,6 @@ LABEL_STEP = 1e-3
 LABELLED_ANGLE = 1e-6
 #: A determinant (per length) nearer to zero than this has no sign.
 ASPECT_SIGN = 1e-12
-#: A nearest posture that misses by less (per length; rad) hits the pose.
-TOLD_AS_HIT = 1e-7
 #: Positions missed by less (per length) are reached, turns (rad) are right.
 TOLD_AS_TURN = 1e-6
 #: The same where a row is pulled from the side, and must not wander off along what is free.
@@ -217,3 +221,6 @@ BOX_REGULAR = 1e-12
 COURSE_STEP = 1e-5
 #: A sum of joints in a self-motion's words that is smaller is rounding (deg; mm).
 SAID_AS_ZERO = 1e-9
+#: Relative sigma_min below which a regular row stands near a fold: its twin is about as far away as the steps by which
+#: poses beside a singular one are taken lead.
+NEAR_A_FOLD = 1e-4

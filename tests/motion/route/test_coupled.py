@@ -81,6 +81,24 @@ def test_arcs_end_where_a_coupled_joint_meets_its_limit():
     assert ((open_ > 0) == many.in_limits.any(1)).all()
 
 
+@pytest.mark.parametrize("turn", ["free", (-0.2, 0.2), (0.0, 0.0)])
+def test_the_tool_of_coupled_joints_may_tilt(turn):
+    arm, path, free = coupled(level()), seam(8), pieper.Freedom(turn=turn, cone=0.1)
+    route = arm.route(path, free=free)
+    assert route.verdict is pieper.Verdict.FOUND
+    T = arm.fk(route.q)
+    assert np.abs(T[:, :3, 3] - path[:, :3, 3]).max() < 1e-9
+    assert np.arccos(np.clip(np.sum(T[:, :3, 2] * path[:, :3, 2], axis=1), -1, 1)).max() < 0.1 + 1e-9
+    assert (route.q >= arm.limits[:, 0] - 1e-9).all() and (route.q <= arm.limits[:, 1] + 1e-9).all()
+    # to tilt is allowed, not asked for: no dearer than upright
+    assert route.cost <= arm.route(path, free=pieper.Freedom(turn=turn)).cost * (1 + 1e-9)
+    # without limits the axes' own cheapest route is one of these joints too
+    wide = {joint: (-20.0, 20.0) for joint in arm.joint_names}
+    other = np.linalg.solve(level(), PLAIN.with_limits(wide).route(path, free=free).q.T).T
+    best = arm.with_limits(wide).route(path, free=free).cost
+    assert best <= np.sum(np.diff(other, axis=0) ** 2) * (1 + 1e-9)
+
+
 def test_joints_coupled_in_parts_of_turns_are_told():
     with pytest.raises(PlanError, match="parts of turns"):
         coupled(level(2, 1, 0.5)).route(seam(), free=FREE)

@@ -6,6 +6,7 @@ import pytest
 import pieper
 from benchmarks.measure.route_verdicts import at, drawn, missed
 from oracle.turns import flooded, ring
+from pieper.kinematics.pose import rotation_z
 from pieper.motion.route.front import modulo_turns
 from pieper.motion.route.proof import anywhere
 from pieper.motion.route.search import Task
@@ -60,17 +61,39 @@ def test_what_closes_far_from_where_a_front_ends_is_proved(name, number):
     assert not past(arm, path, begun, first if back else last)
 
 
+def boxed(arm, q, degrees):
+    """Return the arm with limits so much wider than what a route needs."""
+    room = np.radians(degrees)
+    both = np.clip(np.stack([q.min(0) - room, q.max(0) + room], -1), *arm.limits.T[:, :, None])
+    return arm.with_limits(dict(zip(arm.joint_names, both.tolist(), strict=True)))
+
+
 @pytest.mark.parametrize(
-    "degrees, verdict", [(0.2, "FOUND"), (0.01, "FOUND"), (-0.1, "IMPOSSIBLE"), (-0.2, "IMPOSSIBLE")]
+    "name, number",
+    [("kuka-kr6-r900-sixx", 1), ("abb-irb2400", 2), ("fanuc-m-10ia", 1), ("universal-robots-ur5e", 4)],
+)
+def test_limits_a_little_inside_what_a_route_needs_are_refused_by_the_pose_that_needs_them(name, number):
+    arm, path = drawn(name, number)
+    q = arm.route(path, free=FREE).q
+    assert boxed(arm, q, 0.01).route(path, free=FREE).found
+    tight = boxed(arm, q, -0.02)
+    route = tight.route(path, free=FREE)
+    assert route.verdict is pieper.Verdict.IMPOSSIBLE
+    place = route.blocked.s[1]
+    turned = at(path, np.array([place]))[0] @ rotation_z(np.arange(20_000) * 2 * np.pi / 20_000)
+    assert not tight.ik_many(turned).in_limits.any() and arm.ik_many(turned).in_limits.any()
+
+
+@pytest.mark.parametrize(
+    "degrees, verdict",
+    [(0.2, "FOUND"), (0.01, "FOUND"), (-0.02, "IMPOSSIBLE"), (-0.05, "IMPOSSIBLE"), (-0.1, "IMPOSSIBLE")],
 )
 def test_a_box_about_a_route_that_swings_lets_it_through_and_one_that_is_smaller_does_not(degrees, verdict):
     # joint 1 swings by 63 degrees from one point to the next, within a twentieth of a degree of the turn
     arm, path = drawn("kuka-kr6-r900-sixx", 1)
     q = arm.route(path, free=FREE).q
     assert np.abs(np.diff(q, axis=0)).max() > 1.0
-    room = np.radians(degrees)
-    both = np.clip(np.stack([q.min(0) - room, q.max(0) + room], -1), *arm.limits.T[:, :, None])
-    tight = arm.with_limits(dict(zip(arm.joint_names, both.tolist(), strict=True)))
+    tight = boxed(arm, q, degrees)
     route = tight.route(path, free=FREE)
     assert route.verdict.name == verdict
     if verdict == "FOUND":

@@ -349,3 +349,32 @@ def test_a_route_that_rests_on_a_limit_is_at_rest_beside_it(number):
     room = np.minimum(route.q - arm.limits[:, 0], arm.limits[:, 1] - route.q).min(1)
     assert (room >= 0).all() and room.min() < 1e-4 < room.max()
     assert route.slope < 1e-8
+
+
+def test_the_picture_of_a_refusal_says_in_each_strip_what_shuts_it(irb):
+    seam = pieper.line(*(pieper.pose(0.9, y, 0.6, rpy=(180, 0, 0), degrees=True) for y in (-0.75, 0.75)), 13)
+    route = irb.with_limits({"joint_1": (-0.7, 0.3)}).route(seam, free=FREE)
+    assert route.verdict is pieper.Verdict.IMPOSSIBLE
+    figure = pieper.plot.route_figure(route)
+    closed = {c.branch: c for c in route.blocked.closed}
+    assert figure.axes
+    for axes in figure.axes:
+        (words,) = (text.get_text() for text in axes.texts)
+        mine = closed[axes.get_title(loc="left")]
+        assert words.startswith(f"{mine.joint} {mine.side} ") and words.endswith(" short")
+
+
+def test_a_posture_that_is_open_where_nothing_gets_to_is_said_to_be_not_reached():
+    # two postures are open at the place that nothing gets past, and four are shut by a joint
+    arm, path = drawn("motoman-gp7", 1)
+    route = arm.route(path, free=FREE)
+    assert route.verdict is pieper.Verdict.IMPOSSIBLE
+    figure = pieper.plot.route_figure(route)
+    words = {axes.get_title(loc="left"): axes.texts[0].get_text() for axes in figure.axes}
+    place = route.blocked.s[0 if route.blocked.begun > route.blocked.s[1] else 1]
+    known = route.map
+    for branch, told in words.items():
+        at = int(np.argmin(np.abs(known.s - place)))
+        is_open = known.open[known.branches.index(branch)][at].any()
+        assert is_open == told.startswith("open, but not reached")
+    assert len(set(words.values())) > 1

@@ -15,6 +15,12 @@ def test_an_arm_with_a_wrist_and_parallel_axes_is_never_called_cuspidal():
     assert not pieper.load("denso-vp6242").plan.cuspidal.found
 
 
+def test_a_search_that_finds_no_path_has_none_to_show():
+    arm = pieper.load("denso-vp6242")
+    found = cuspidal.search(arm.chain, lambda T: arm.plan.solver.many(T, 1)[:2], poses=1)
+    assert not found.found and found.tried and found.path.shape == (0, 6)
+
+
 def test_the_path_of_a_cuspidal_arm_joins_two_solutions_and_meets_no_singularity():
     arm = pieper.load("fanuc-crx-10ia")
     found = arm.plan.cuspidal

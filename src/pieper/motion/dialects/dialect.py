@@ -170,6 +170,8 @@ class Dialect:
         read: The targets of a text.
         lines: What lines of a text may be, patterns of whole lines without the blanks around; none for any.
         reader: Reads of a line how a move goes or what happens; None where files do not say it.
+        reserved: Words that are no program's name.
+        exact_words: Whether large letters in them are others than small ones.
     """
 
     name: str
@@ -180,6 +182,8 @@ class Dialect:
     read: Callable[[str], list[Target]]
     lines: tuple[str, ...] = ()
     reader: Reader | None = None
+    reserved: frozenset[str] = frozenset()
+    exact_words: bool = False
 
     def targets(self, text: str) -> list[Target]:
         """Return the targets of a text, or say which line is not understood: none is passed over.
@@ -265,6 +269,11 @@ def checked_name(name: str, dialect: Dialect) -> str:
         raise InputError(
             f"a {dialect.name} program's name begins with a letter and has letters, digits and _ alone, got {name!r}; "
             f"{RENAME}.",
+            given=name,
+        )
+    if (name if dialect.exact_words else name.lower()) in dialect.reserved:
+        raise InputError(
+            f"{name!r} is a word of {dialect.name} itself, and no program's name; {RENAME}.",
             given=name,
         )
     if len(name) > dialect.longest:

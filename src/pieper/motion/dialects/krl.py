@@ -10,6 +10,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, named, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.dialects.reserved import KRL
 from pieper.motion.dialects.target import Words
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
@@ -132,4 +133,4 @@ _LINES = (
     rf"PTP (?:{_braces(_AXES)}|{_braces(_POSE, r'(?:,S -?[0-9]+,T -?[0-9]+)?')}){_APPROACH}",
     rf"LIN {_braces(_POSE)}{_APPROACH}|CIRC {_braces(_POSE)}, ?{_braces(_POSE)}{_APPROACH}",
 )
-DIALECT = Dialect("krl", (".src",), "kuka", 24, write, read, _LINES, _said)
+DIALECT = Dialect("krl", (".src",), "kuka", 24, write, read, _LINES, _said, KRL)

@@ -11,6 +11,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, known_one, listed, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.dialects.reserved import PACSCRIPT
 from pieper.motion.dialects.target import Words
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
@@ -127,4 +128,4 @@ _LINES = (
     rf"Move [PL], @{NUMBER} {_PLACE}(?:, Speed = {NUMBER})?(?: *'.*)?",
     rf"Move C, {_PLACE}, @{NUMBER} {_PLACE}(?: *'.*)?",
 )
-DIALECT = Dialect("pacscript", (".pcs",), "denso", 64, write, read, _LINES, _said)
+DIALECT = Dialect("pacscript", (".pcs",), "denso", 64, write, read, _LINES, _said, PACSCRIPT)

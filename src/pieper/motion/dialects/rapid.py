@@ -10,6 +10,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.dialect import Dialect, Script, Target, fixed, found, known_one, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.dialects.reserved import RAPID
 from pieper.motion.dialects.target import Words
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
@@ -158,4 +159,4 @@ _LINES = (
     rf"MoveC {_WORD},{_WORD},{_WORD},{_WORD},{_WORD}(?:\\WObj:={_WORD})?;",
     rf"WaitTime {NUMBER};|SetDO {_WORD},[01];",
 )
-DIALECT = Dialect("rapid", (".mod", ".prg"), "abb", 32, write, read, _LINES, _said)
+DIALECT = Dialect("rapid", (".mod", ".prg"), "abb", 32, write, read, _LINES, _said, RAPID)

@@ -10,6 +10,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.spoken import pose, read_pose
 from pieper.motion.dialects.dialect import Dialect, Script, Setup, Target, fixed, found, listed, numbers
 from pieper.motion.dialects.manner import NUMBER, Happenings, Manner, without_comments
+from pieper.motion.dialects.reserved import URSCRIPT
 from pieper.motion.instructions import Events, FrameChange, Happening, Move, ToolChange
 
 #: Acceleration of the tool that is written where none is limited, m/s^2: the language's own default.
@@ -136,4 +137,6 @@ _LINES = (
     rf"movec\({_TARGET}, {_TARGET}(?:, [avr]={NUMBER})*\)",
     rf"sleep\({NUMBER}\)|set_standard_digital_out\(\d+, (?:True|False)\)",
 )
-DIALECT = Dialect("urscript", (".script", ".urscript"), "ur", 64, write, read, _LINES, _said)
+DIALECT = Dialect(
+    "urscript", (".script", ".urscript"), "ur", 64, write, read, _LINES, _said, URSCRIPT, exact_words=True
+)

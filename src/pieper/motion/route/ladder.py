@@ -11,7 +11,7 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.joints import TURN, turned_from
 from pieper.motion.route.grid import REACH, Grid
 from pieper.motion.route.setting import Setting
-from pieper.tolerances import LIMIT_SLACK, NO_DIRECTION
+from pieper.tolerances import LIMIT_SLACK, NO_DIRECTION, NO_LOOK_BETWEEN
 
 #: The largest step of a joint from rung to rung and on the spot (rad; lengths of the arm).
 STEP = 0.6
@@ -105,7 +105,8 @@ def climb(
     for at, end in zip((0, -1), ends, strict=True):
         if end is not None:
             start = _normal(setting, end, wider)
-            lifts[at] = np.round((end - start) / TURN)
+            # of a joint that counts as if it had no limits the ends are meant whatever their whole turns
+            lifts[at] = np.where(np.isfinite(limits).all(1), np.round((end - start) / TURN), -1)
             x, valid = _only(setting, x, valid, at, start)
     cell = max((np.ptp(c.values) / max(len(c.values) - 1, 1) for c in grid.coordinates), default=1.0)
     near = grid.near(max(1, int(round(REACH / max(cell, NO_DIRECTION)))) if len(grid.coordinates) < 2 else 2)
@@ -156,6 +157,20 @@ def fitted(setting: Setting, x: Array, near: Array | None = None, wider: float =
     spun = np.round(np.asarray((aim - x.mean(0)) / TURN, np.float64))
     turns = np.where(turning, spun, 0.0)
     return x + TURN * np.clip(turns, least, most)
+
+
+def from_ends(setting: Setting, x: Array, ends: tuple[Array | None, Array | None], wider: float) -> Array | None:
+    """Return a continuous chain (k, m) moved by whole turns to the ends that are told; None where it does not fit."""
+    turning = ~setting.chain.prismatic
+    for at, end in zip((0, -1), ends, strict=True):
+        if end is not None:
+            turns = np.asarray(np.round((end - x[at]) / TURN), np.float64)
+            x = x + TURN * turns * turning
+            break
+    away = [np.abs(x[at] - end).max() for at, end in zip((0, -1), ends, strict=True) if end is not None]
+    low, high = widened(setting, wider).T
+    inside = ((x >= low - LIMIT_SLACK) & (x <= high + LIMIT_SLACK)).all()
+    return x if inside and max(away) < NO_LOOK_BETWEEN else None
 
 
 def _only(setting: Setting, x: Array, valid: Bools, at: int, end: Array) -> tuple[Array, Bools]:

@@ -18,13 +18,15 @@ from pieper.motion.route.setting import Setting, limits_of_axes, setting
 WIDEST, WIDEST_CONE, FARTHEST = np.pi, np.radians(40.0), 0.3
 #: How often a change is halved, and how many joints are tried.
 HALVINGS, JOINTS = 5, 2
-#: How often what was found is made smaller by routes themselves, between it and one of how many parts of it; of a cone,
-#: where more is free and each takes longer, less often. Nearer than `NEARLY` it need not be.
-SMALLER, SMALLER_CONE, NEARLY = (7, 1000), (4, 20), 1.05
+#: What was found is made smaller by routes themselves, between it and one of so many parts of it, until what lets none
+#: through is nearer than `NEARLY`.
+PARTS, PARTS_CONE, NEARLY = 1000, 20, 1.01
 #: Points of the path that are looked at to see whether a change lets a route through; the change found is tried whole.
 POINTS = 26
-#: Changes are told this much larger than found.
-ROOM = 1.02
+#: Changes that a ladder shows are tried this much larger; those that a route shows are told a little larger.
+ROOM, TOLD = 1.02, 1.002
+#: Part of a change that is tried with all ladders in the end, and again while it lets a route through.
+LESS = 0.985
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +91,7 @@ class Opening:
         if any(end is not None for end in self.task.ends):
             return None
         most = min(WIDEST_CONE, np.pi / 2 - world.free.cone - 0.02)
-        amount = _least(tilted, most, 0.0, halvings=3, smaller=SMALLER_CONE)
+        amount = _least(tilted, most, 0.0, halvings=3, parts=PARTS_CONE)
         if amount is None:
             return None
         told = np.degrees(world.free.cone + amount)
@@ -131,7 +133,7 @@ def _least(
     most: float,
     least: float,
     halvings: int = HALVINGS,
-    smaller: tuple[int, int] = SMALLER,
+    parts: int = PARTS,
 ) -> float | None:
     """Return the smallest change up to `most` with which there is a route, nearly; None where there is none."""
     if not _opens(changed(most)):
@@ -153,22 +155,24 @@ def _least(
 
     for amount in (high * ROOM, min(2 * high, most), most):
         if opens(amount):
-            return _smaller(opens, float(amount), least, *smaller)
+            found = _smaller(opens, float(amount), least, parts)
+            # the first ladder alone was asked so far: finer ones may lead through where it does not
+            while found * LESS > least and search(changed(found * LESS)) is not None:
+                found *= LESS
+            return found
     return None
 
 
-def _smaller(opens: Callable[[float], bool], amount: float, least: float, times: int, parts: int) -> float:
+def _smaller(opens: Callable[[float], bool], amount: float, least: float, parts: int) -> float:
     """Return a change below one that lets a route through, which does too: even turns see only large ones."""
     low, high = max(least, amount / parts), amount
-    for _ in range(times):
+    while high > NEARLY * low:
         middle = float(np.sqrt(low * high))
-        if high < NEARLY * low:
-            break
         if opens(middle):
             high = middle
         else:
             low = middle
-    return high * ROOM if high * ROOM < amount and opens(high * ROOM) else high
+    return high * TOLD if high * TOLD < amount and opens(high * TOLD) else high
 
 
 def _opens(task: Task) -> bool:

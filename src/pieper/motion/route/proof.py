@@ -17,15 +17,16 @@ from pieper.motion.route.front import Ended
 from pieper.motion.route.ladder import Rungs
 from pieper.motion.route.passed import follow_past
 from pieper.motion.route.search import Task
-from pieper.motion.route.windows import ROUGH, Window, backwards, known, misses_end, scouted
+from pieper.motion.route.windows import ROUGH, Window, backwards, known, later, misses_end, scouted
 
 #: Parts of the largest steps that the bounds allow, tried one after the other at a station where no row is inside.
 FINE = (1.0, 0.4, 0.15)
 #: How far before the end of a rough front from the first pose a proof is tried first, as parts of the path, and with
 #: what part of the steps that the bounds allow; and how far behind that end it may go on.
 CLOSE, ON = ((0.003, 1.0), (0.003, 0.4), (0.02, 1.0)), 0.01
-#: Part of the steps for all of the way from the first pose to there, where so many points are enough.
-WHOLE = 0.7, 4_000_000
+#: Part of the steps for all of the way from the first pose to there, where so many points are enough, and how often it
+#: is tried to begin half way before that.
+WHOLE, NEARER = (0.7, 4_000_000), 1
 #: Points that a rough front from the first pose, and that each of the first tries may look at.
 MOST, EACH = 1_500_000, 450_000
 #: Parts of the steps that the bounds allow for all that is reached from a posture that is told, and points then.
@@ -104,22 +105,35 @@ def _close(task: Task, limits: Array, ladder: Rungs, reached: int) -> Iterator[W
         while end + 1 in empty:
             end += 1
         # where the way ends is told most nearly by the stretch's first station; its middle is where least is in doubt
-        for station in dict.fromkeys((begin, (begin + end) // 2)):
+        near = (begin, (begin + end) // 2)
+        for station in dict.fromkeys(near):
             for fine in FINE:
                 yield Window(float(s[station]), float(s[station]), fine, EACH)
+        # between the turns of a grid there may be more anywhere: elsewhere it is looked at what meets the limits itself
+        for station in empty.tolist():
+            place = float(s[station])
+            if station not in near and not len(known(task, limits, place)):
+                yield Window(place, place, FINE[0], EACH)
+                break
     rough = follow_past(task.setting, limits, known(task, limits, 0.0), (0.0, 1.0), ROUGH, MOST)
     if rough.ended is not Ended.ARRIVED or misses_end(task, rough):
         for before, fine in CLOSE:
             yield Window(max(rough.s - before, 0.0), min(rough.s + ON, 1.0), fine, EACH)
+        # close before it more may be inside than what comes from farther back: as near as it still dies there
         fine, most = WHOLE
-        # close before it more may be inside than what comes from the first pose; of smaller steps it takes the square
+        # of smaller steps it takes the square
         if rough.looked * (ROUGH / fine) ** 2 < most:
-            yield Window(0.0, min(rough.s + ON, 1.0), fine, most)
+            first, enough = 0.0, (ROUGH, rough.looked, 0)
+            if rough.ended is Ended.DIED:
+                first, _ = later(task, limits, (0.0, rough.s), rough.s, enough, NEARER)
+            for begin in dict.fromkeys((first, 0.0)):
+                yield Window(begin, min(rough.s + ON, 1.0), fine, most)
     # from a posture that is told less is reached than from anything that is inside the limits
     for way, back in ((task, False), (backwards(task), True)):
         if way.ends[0] is None:
             continue
-        rough = follow_past(way.setting, limits, known(way, limits, 0.0), (0.0, 1.0), ROUGH, MOST)
+        if back:
+            rough = follow_past(way.setting, limits, known(way, limits, 0.0), (0.0, 1.0), ROUGH, MOST)
         if rough.ended is Ended.DIED or misses_end(way, rough):
             for fine, most in TOLD:
                 yield Window(0.0, 1.0, fine, most, back)

@@ -11,7 +11,7 @@ from pieper.kinematics.joints import inside
 from pieper.motion.route.freedom import Freedom
 from pieper.motion.route.grid import TURNS, Grid, grid
 from pieper.motion.route.keep import Keep
-from pieper.motion.route.ladder import Rungs, Way, climb, fitted, rungs
+from pieper.motion.route.ladder import Rungs, Way, climb, fitted, from_ends, rungs
 from pieper.motion.route.reach import beyond_reach
 from pieper.motion.route.setting import Setting, with_turn_limits
 from pieper.motion.route.setting import setting as setting_of
@@ -246,9 +246,13 @@ def _shortest_first(task: Task, way: Way | None, at: Array, slow: Array | None) 
     if not task.setting.spare:
         return ways
     ends = _told(task)
-    rough = [
-        smooth(_shape(task, np.round(place).astype(np.int64), np.diff(place), ends), x, rough=True) for place, x in ways
-    ]
+    rough = list[Smoothed]()
+    for place, x in ways:
+        points: Indices = np.round(place).astype(np.int64)
+        # beside its poses a way costs less than any on them: none of its steps would be taken
+        on_path, on = task.setting.on(x, task.setting.path[points])
+        shape = _shape(task, points, np.diff(place), ends)
+        rough.append(smooth(shape, on_path, rough=True) if on.all() else Smoothed(x, np.inf, np.inf))
     order = sorted(range(len(ways)), key=lambda k: rough[k].cost)
     return [(ways[k][0], rough[k].x if np.isfinite(rough[k].cost) else ways[k][1]) for k in order]
 
@@ -273,7 +277,7 @@ def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool, wide
         if spot:
             return None
     told = any(end is not None for end in task.ends)
-    for all_turns in (True,) if told else (False, True):
+    for all_turns in (False, True):
         way = climb(
             setting,
             cells,
@@ -289,7 +293,10 @@ def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool, wide
             if not all_turns:
                 return None  # nothing without whole turns: nothing with them
             continue
-        x = way.x if all_turns and told else fitted(setting, way.x, wider=wider)
+        if not told:
+            x = fitted(setting, way.x, wider=wider)
+        else:
+            x = way.x if all_turns else from_ends(setting, way.x, task.ends, wider)
         if x is not None:
             return replace(way, x=x)
     return None

@@ -10,7 +10,7 @@ import numpy as np
 from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import missed, newton
+from pieper.kinematics.newton import newton_quick
 from pieper.kinematics.pose import inverse, rotation_about, rotation_x
 from pieper.motion.path import shortest_turn
 from pieper.motion.route.freedom import Freedom
@@ -212,8 +212,8 @@ class Setting:
 
     def on(self, x: Array, T: Array) -> tuple[Array, Bools]:
         """Return x (k, m) moved onto poses T (k, 4, 4) the shortest way, and whether that was reached."""
-        moved = newton(self.chain, x, T, steps=8)
-        return moved, missed(self.chain, moved, T) < CLOSES
+        moved, left = newton_quick(self.chain, x, T, steps=8)
+        return moved, left < CLOSES
 
     @cached_property
     def bounded(self) -> Indices:

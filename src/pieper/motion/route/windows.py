@@ -89,19 +89,30 @@ def scouted(task: Task, limits: Array) -> Iterator[Window]:
         task: What is asked.
         limits: (m, 2) that are kept.
     """
+    seen: dict[tuple[float, float, bool], Ended] = {}
     for rough in SCOUTS:
-        yield from _scouted(task, limits, rough)
+        yield from _scouted(task, limits, rough, seen)
 
 
-def _scouted(task: Task, limits: Array, rough: tuple[float, int, int]) -> Iterator[Window]:
-    """Yield the windows of `scouted` that a front of some steps shows."""
+def _scouted(
+    task: Task, limits: Array, rough: tuple[float, int, int], seen: dict[tuple[float, float, bool], Ended]
+) -> Iterator[Window]:
+    """Yield the windows of `scouted` that a front of some steps shows, but for those of fronts that were seen end."""
     back = backwards(task)
     found: list[tuple[int, float, float, bool]] = []
-    for place in np.linspace(0.0, 1.0, PLACES).tolist():
-        for way, first in ((task, place), (back, 1.0 - place)):
-            front = None if first == 1.0 else _dies(way, limits, first, rough)
-            if front is not None:
-                found.append((front.looked, first, front.s, way is back))
+    for way in (task, back):
+        for first in np.linspace(0.0, 1.0, PLACES)[:-1].tolist():
+            key = (rough[0], first, way is back)
+            ended = seen.get(key, Ended.TIRED)
+            if ended is Ended.TIRED:
+                front = _front(way, limits, first, rough)
+                ended = Ended.DIED if _is_end(way, front) else front.ended
+                seen[key] = ended
+                if ended is Ended.DIED:
+                    found.append((front.looked, first, front.s, way is back))
+            if ended is Ended.ARRIVED:
+                # all of it is among what is inside at later places: from there something gets to the end as well
+                break
     kept: list[tuple[int, float, float, bool]] = []
     for window in sorted(found):
         if all(window[3] != other[3] or abs(window[2] - other[2]) > APART for other in kept):
@@ -112,12 +123,16 @@ def _scouted(task: Task, limits: Array, rough: tuple[float, int, int]) -> Iterat
             yield Window(first, min(last + ON, 1.0), fine, most, backward)
 
 
-def _dies(way: Task, limits: Array, first: float, rough: tuple[float, int, int]) -> Front | None:
-    """Return the rough front that is begun at a place where it does not get through; None where it does."""
+def _front(way: Task, limits: Array, first: float, rough: tuple[float, int, int]) -> Front:
+    """Return the rough front that is begun at a place."""
     seeds = known(way, limits, first)
     steps, points, each = rough
-    front = follow_past(way.setting, limits, seeds, (first, 1.0), steps, points + each * len(seeds))
-    return front if front.ended is Ended.DIED or misses_end(way, front) else None
+    return follow_past(way.setting, limits, seeds, (first, 1.0), steps, points + each * len(seeds))
+
+
+def _is_end(way: Task, front: Front) -> bool:
+    """Whether a front does not get through."""
+    return front.ended is Ended.DIED or misses_end(way, front)
 
 
 def _later(
@@ -125,12 +140,19 @@ def _later(
 ) -> tuple[float, float, bool]:
     """Return from where, as near to the end as it still dies there, and to where, a front has least to do."""
     _, first, last, backward = window
-    beyond = min(first + 1 / (PLACES - 1), last)
-    for _ in range(LATER):
+    return *later(way, limits, (first, last), min(first + 1 / (PLACES - 1), last), rough, LATER), backward
+
+
+def later(
+    way: Task, limits: Array, ends: tuple[float, float], beyond: float, rough: tuple[float, int, int], halvings: int
+) -> tuple[float, float]:
+    """Return from where, before a place beyond, a rough front dies where one from farther back does, and where."""
+    first, last = ends
+    for _ in range(halvings):
         middle = (first + beyond) / 2
-        front = _dies(way, limits, middle, rough)
-        if front is not None and abs(front.s - last) < APART:
+        front = _front(way, limits, middle, rough)
+        if _is_end(way, front) and abs(front.s - last) < APART:
             first, last = middle, front.s
         else:
             beyond = middle
-    return first, last, backward
+    return first, last

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -25,6 +26,7 @@ from pieper.solver.plan.six_joints import (
     default_task,
     generic_rank,
     reduce,
+    refilled,
     sample_joints,
     with_task_joints,
 )
@@ -67,7 +69,14 @@ def make_plan(
         arguments.word(task, "task", TASKS)
     if chain.coupling is not None:
         return _coupled(chain, description, task, snap)
-    plan = _as_told(chain, description, task, snap, hold)
+    try:
+        plan = _as_told(chain, description, task, snap, hold)
+    except PlanError:
+        # between dependent and independent no elimination holds: the arm that this one nearly is has an answer
+        nearest = None if snap is not None or hold is not None else next(_special(task, chain, description), None)
+        if nearest is None:
+            raise
+        return nearest
     if snap is None and not plan.spec.info.get("certified", True):
         return _by_nearly(plan, chain, description)
     return plan
@@ -77,16 +86,21 @@ def _by_nearly(plan: Plan, chain: Chain, description: Description) -> Plan:
     """Return a plan through the special arm that this one nearly is, where it can only be solved so with certainty.
 
     So near to a special arrangement (an angle typed with nine digits, for one) every elimination drowns in rounding.
-    The special arm's solutions are refined on the arm as described, and counted (see `snap_count`).
+    The special arm's solutions are refined on the arm as described, and counted (see `snap_count`). Where it has
+    joints that do the same, as the arm as described has not, they are none of that arm's; and a short arm is refined
+    by its own few joints, which a turn of the special one's does not lead to it.
     """
-    return next((other for other in _special(plan, chain, description) if other.spec.info.get("certified", True)), plan)
+    if plan.reduction.fill:
+        return plan
+    certain = (other for other in _special(plan.task, chain, description) if other.spec.info.get("certified", True))
+    return next((other for other in certain if other.rank >= plan.rank), plan)
 
 
 def _nearly(plan: Plan) -> Plan | None:
     """Return the plan through a closed form of the special arm that a plan's own nearly is; None where it is none."""
     if not plan.direct or not named(plan.family).eliminating:
         return None
-    others = _special(plan, plan.chain, plan.description)
+    others = _special(plan.task, plan.chain, plan.description)
     return next((other for other in others if not named(other.family).eliminating), None)
 
 
@@ -102,12 +116,12 @@ def _from_afar(plan: Plan, distance: float) -> Plan:
     raise PlanError(f"{plan.name} has joints that do the same {distance:g} m away.")
 
 
-def _special(plan: Plan, chain: Chain, description: Description) -> Iterator[Plan]:
+def _special(task: str | None, chain: Chain, description: Description) -> Iterator[Plan]:
     """Yield plans through the special arms that an arm nearly is, the nearest first."""
     for near in NEARLY_SPECIAL:
         if snapped(chain, near)[1]:
             try:
-                special = _as_told(chain, description, plan.task, near)
+                special = _as_told(chain, description, task, near)
             except PlanError:
                 continue  # as a special arm it has joints that do the same, or no solver
             yield special
@@ -221,8 +235,12 @@ def _first_solvable(
     Where none does, the values may be at fault: at the middle of the limits, or at zero, axes often meet by design.
     """
     refused: PlanError | None = None
-    for part in (0.5, *UNLIKE_OTHERS):
-        for reduction in ways[:MOST_WAYS] if part == 0.5 or ways[0].locked else ():
+    for part, some in itertools.chain(
+        ((part, ways) for part in (0.5, *UNLIKE_OTHERS) if part == 0.5 or ways[0].locked),
+        # nor may every elimination hold with the virtual joints that condition it best
+        ((0.5, refilled(way)) for way in ways[:1]),
+    ):
+        for reduction in some[:MOST_WAYS]:
             defaults = _defaults(reduction, description, part)
             six, _ = without_far_ends(reduction.six(defaults))
             try:

@@ -15,7 +15,7 @@ from pieper.kinematics.arm_angle import ArmAngle, arm_angle
 from pieper.kinematics.arrays import Array, Bools, Indices, median
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry
-from pieper.kinematics.newton import missed, scaled_jacobian
+from pieper.kinematics.newton import missed, scaled_jacobian, singular_values
 from pieper.kinematics.pose import pose_error
 from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import SixJointSolver, without_far_ends
@@ -23,7 +23,7 @@ from pieper.solver.plan.beside import arms_beside
 from pieper.solver.plan.cuspidal import Cuspidal, never, search
 from pieper.solver.plan.prepared import UNLIMITED, Prepared
 from pieper.solver.plan.six_joints import Reduction, refilled, sample_joints, with_task_joints
-from pieper.tolerances import RANK
+from pieper.tolerances import RANK, RANK_ROUNDING
 from pieper.words_by_number import plural
 
 #: Most solvers kept for values of locked joints, of the arm that is solved and of a snapped arm as described.
@@ -158,6 +158,19 @@ class Plan:
             return ()
         others = (self._joint_name(joint) for joint in self.movable if joint not in self.reduction.locked)
         return (*self.redundancy, *others, *(("arm angle",) if self.arm_angle else ()))
+
+    @cached_property
+    def nearly_free(self) -> bool:
+        """Whether what is to spare is so nearly alone: joints that do the same but for what an angle was typed with.
+
+        A pose holds only some points of what would be a self-motion, and slices of it may meet none of them.
+        """
+        if not self.redundancy:
+            return False
+        full = self.exact.full
+        # without base and tool, as a rank is taken
+        s = singular_values(full.section(0, full.n - 1), sample_joints(full, 12))
+        return bool(np.any((s > RANK_ROUNDING * s[:, :1]) & (s <= RANK * s[:, :1])))
 
     @cached_property
     def movable(self) -> tuple[int, ...]:

@@ -11,7 +11,7 @@ import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
@@ -70,7 +70,8 @@ def appended(
         coupling = np.eye(chain.axis_count + len(joints), chain.n + len(joints))
         coupling[: chain.axis_count, : chain.n] = chain.coupling
         coupling[chain.axis_count :, chain.n :] = np.eye(len(joints))
-        own = (*chain.own, *range(chain.axis_count, len(coupling)))
+        # no list stands for every axis, and goes on doing so
+        own = (*chain.own, *range(chain.axis_count, len(coupling))) if chain.own else ()
     sliding = np.concatenate([chain.sliding[:place], [p for _, p in joints], chain.sliding[place:]])
     return Chain.of(np.stack(links), sliding, coupling=coupling, own=own, scale=chain.scale)
 
@@ -86,14 +87,15 @@ def sample_joints(chain: Chain, count: int, seed: int = 1) -> Array:
     return np.asarray(np.where(chain.prismatic, chain.length, np.pi) * (2 * spread - 1), np.float64)
 
 
-def _primes(count: int) -> list[int]:
+@cache
+def _primes(count: int) -> tuple[int, ...]:
     found: list[int] = []
     candidate = 2
     while len(found) < count:
         if all(candidate % p for p in found):
             found.append(candidate)
         candidate += 1
-    return found
+    return tuple(found)
 
 
 def generic_rank(chain: Chain) -> int:

@@ -55,6 +55,8 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
         """Keep the first row of each pose, the first inside before any other."""
         nonlocal left
         for what, of in ((INSIDE, within), (OUTSIDE, ~within)):
+            if not np.count_nonzero(of):
+                continue
             first, at = np.unique(pose[of], return_index=True)
             new = kind[first] < what
             kind[first[new]], q[first[new]] = what, rows[of][at[new]]
@@ -65,7 +67,7 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
         return [left[i : i + TOGETHER] for i in range(0, len(left), TOGETHER)]
 
     def descend(count: int) -> None:
-        starts = spread(full, limits, count)
+        starts = spread(full, low, high, count)
         for part in parts():
             pose = np.repeat(part, count)
             rows, off = descended(full, np.tile(starts, (len(part), 1)), T[pose], low, high)
@@ -108,7 +110,7 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
     none = left[kind[left] == NONE]
     if len(none):
         wide = np.where(full.prismatic, (low, high), ((-TURN,), (TURN,)))
-        starts = np.tile(spread(full, wide.T, FREE_STARTS), (len(none), 1))
+        starts = np.tile(spread(full, wide[0], wide[1], FREE_STARTS), (len(none), 1))
         pose = np.repeat(none, FREE_STARTS)
         np.minimum.at(least, pose, descended(full, starts, T[pose], *wide)[1])
     for i in left[least[left] < NEAR_INSIDE]:
@@ -123,7 +125,7 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
             held = off <= CLOSES
             keep(np.full(int(held.sum()), i), near[held], np.ones(int(held.sum()), bool))
     found = np.flatnonzero(kind == INSIDE)
-    q[found] = well_inside(full, q[found], T[found], limits)
+    q[found] = well_inside(full, q[found], T[found], low, high)
     return Anywhere(kind, q)
 
 

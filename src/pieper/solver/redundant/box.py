@@ -32,9 +32,8 @@ IDLE, LEFT = 5, 0.9
 NEARING = 60
 
 
-def spread(chain: Chain, limits: Array, count: int, seed: int = 5) -> Array:
-    """Return postures (count, n) spread evenly over the box, the first one its middle; the same ones every time."""
-    low, high = _finite(chain, limits)
+def spread(chain: Chain, low: Array, high: Array, count: int, seed: int = 5) -> Array:
+    """Return postures (count, n) spread evenly over a box, the first one its middle; the same ones every time."""
     unit = np.where(chain.prismatic, chain.length, np.pi)
     part = (sample_joints(chain, count, seed=seed) / unit + 1) / 2
     part[0] = 0.5
@@ -70,13 +69,12 @@ def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tupl
     )
 
 
-def well_inside(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
-    """Return for points (k, n) of poses (k, 4, 4) inside the limits others near them, clear of these if possible.
+def well_inside(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> Array:
+    """Return for points (k, n) of poses (k, 4, 4) inside a box others near them, clear of its sides if possible.
 
     The box is made narrower by the same part of its width on every side; of the widths tried the narrowest counts in
     which the pose is still held.
     """
-    low, high = _finite(chain, limits)
     out, left = np.array(q), np.arange(len(q))
     for part in BOX_ROOM:
         margin = part * np.minimum(high - low, np.where(chain.prismatic, chain.length, np.pi))
@@ -90,17 +88,12 @@ def well_inside(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
     return out
 
 
-def _finite(chain: Chain, limits: Array) -> tuple[Array, Array]:
-    """Return the box: limits where there are some, else a turn about zero, or twice the arm's length each way."""
+def box(chain: Chain, limits: Array) -> tuple[Array, Array]:
+    """Return the ends (n,) of the box that is searched: limits, else a turn about zero, or twice the arm's length."""
     reach = np.where(chain.prismatic, 2 * chain.length, np.pi)
     low, high = np.isfinite(limits[:, 0]), np.isfinite(limits[:, 1])
     lower = np.where(low, limits[:, 0], np.where(high, np.minimum(-reach, limits[:, 1] - 2 * reach), -reach))
     return lower, np.where(high, limits[:, 1], np.where(low, np.maximum(reach, limits[:, 0] + 2 * reach), reach))
-
-
-def box(chain: Chain, limits: Array) -> tuple[Array, Array]:
-    """Return the lower and upper ends (n,) of the box that is searched: the limits, a turn where there are none."""
-    return _finite(chain, limits)
 
 
 def closest(chain: Chain, q: Array, T: Array, limits: Array, now: Array, weights: Array) -> Array:

@@ -149,6 +149,8 @@ def _the_arm_angle(plan: Plan, **data: Any) -> ArmAngle:
 def _finite(given: Any) -> Array | None:
     """Return an array of finite numbers, or None where they are none."""
     try:
+        if np.asarray(given).dtype == bool:  # yes and no are no angles
+            return None
         numbers = np.asarray(given, float)
     except (TypeError, ValueError):
         return None

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from pieper.errors import PlanError
@@ -9,7 +11,7 @@ from pieper.kinematics.arrays import Array, Indices
 from pieper.solver.arm_rows import arm_rows
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.anywhere import INSIDE, anywhere, spare_values
-from pieper.solver.rows import Rows
+from pieper.solver.rows import Flag, Rows
 from pieper.tolerances import CHOSEN_POINT
 
 
@@ -35,6 +37,9 @@ def choose_elsewhere(plan: Plan, T: Array, rows: Rows, threads: int) -> tuple[Ro
     # solutions at the value that nobody chose are as good as others outside the limits
     moved = found.kind > 0
     moved &= (found.kind == INSIDE) | ~rows.valid[left].any(1)
+    if plan.nearly_free:
+        rows = replace(rows, flags=rows.flags.copy())
+        rows.flags[left[kind[left] == 0]] |= np.uint8(int(Flag.UNCERTAIN))
     if not moved.any():
         return rows, kind
     at, points = left[moved], found.q[moved]

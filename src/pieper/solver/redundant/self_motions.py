@@ -6,7 +6,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import missed
+from pieper.kinematics.newton import missed, newton
 from pieper.solver.arm_rows import full_rows
 from pieper.solver.kernel_rows import Solved
 from pieper.solver.plan.plan import Plan
@@ -36,7 +36,7 @@ SMALL = 0.05
 CHUNK = 256
 
 
-def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ...]:
+def self_motions_of(plan: Plan, asked: Array, values: Array) -> tuple[SelfMotion, ...]:
     """Trace every self-motion of a pose of a redundant arm; of several joints to spare all that holds the pose is one.
 
     A sweep over the first redundant coordinate (the others stay) meets every curve that reaches over more than a
@@ -46,14 +46,16 @@ def self_motions_of(plan: Plan, T: Array, values: Array) -> tuple[SelfMotion, ..
 
     Args:
         plan: A plan with redundancy.
-        T: (4, 4).
+        asked: (4, 4) the pose.
         values: (k,) the redundant coordinates asked for.
     """
     full = plan.exact.full
     spare = len(plan.redundancy)
+    points = met(plan, asked, values)
+    T, points = _as_it_can(full, asked, points) if plan.reduction.fill and len(points) else (asked, points)
     at = stops(plan, T[None], every_turn=True)
     ends = at.q[at.inside]
-    seeds = np.concatenate([ends, met(plan, T, values)])
+    seeds = np.concatenate([ends, points])
     motions: list[SelfMotion] = []
     # a surface (of several spare joints, or of a singular pose) has no list of curves: one line through each solution
     # shows the way, and `dimension` says the rest
@@ -91,6 +93,17 @@ def _nearest_first(chain: Chain, seeds: Array, limits: Array) -> Array:
     out = np.abs(seeds[:, chain.prismatic]).max(1)
     near = out < far
     return seeds[np.argsort(out, kind="stable")[: int(near.sum()) or len(seeds)]]
+
+
+def _as_it_can(full: Chain, T: Array, points: Array) -> tuple[Array, Array]:
+    """Return the pose (4, 4) that a short arm takes where it is asked for T, and points (m, n) moved onto it.
+
+    A pose written down with ten digits lies beside what such an arm can do: rows miss it by that, and no curve of
+    them holds it as well as a curve is followed. What one row makes of it is held by a whole curve.
+    """
+    kept = newton(full, points, T[None].repeat(len(points), 0), steps=6)
+    taken = np.asarray(full.native.fk(kept[np.argmin(missed(full, kept, T))][None])[0])
+    return taken, newton(full, points, taken[None].repeat(len(points), 0), steps=6)
 
 
 def _within(plan: Plan, T: Array, motion: SelfMotion) -> Array:

@@ -47,7 +47,7 @@ def met_inside(motions: list[SelfMotion]) -> list[SelfMotion]:
     like = motions[first]
     chain, T, limits = like.chain, like.T, like.limits
     low, high = box(chain, limits)
-    starts = spread(chain, limits, INSIDE_STARTS)
+    starts = spread(chain, low, high, INSIDE_STARTS)
     q, off = descended(chain, starts, np.broadcast_to(T, (len(starts), 4, 4)), low, high)
     for point in q[off <= CLOSES]:
         line = trace(chain, point, T, limits, like.names, shown=like.shown, most_steps=LINE_STEPS)

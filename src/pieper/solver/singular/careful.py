@@ -252,7 +252,7 @@ def all_there(plan: Plan, T: Array, rows: Array, flag: int) -> bool:
     if not (flag & Flag.UNCERTAIN or named(plan.family).eliminating):
         return False
     plain = not flag & Flag.DEGENERATE and not plan.arms_beside
-    return (plain or regular(plan, rows)) and vouched(plan, T, rows)
+    return (plain or regular(plan, rows)) and vouched(plan, T, rows, each=True)
 
 
 def settled(plan: Plan, T: Array, found: Examined, flag: int) -> int:
@@ -274,13 +274,21 @@ def settled(plan: Plan, T: Array, found: Examined, flag: int) -> int:
 
 
 def vouched(
-    plan: Plan, T: Array, rows: Array, motions: Sequence[SelfMotion] = (), within: Array | float = SAME_VOUCHED
+    plan: Plan,
+    T: Array,
+    rows: Array,
+    motions: Sequence[SelfMotion] = (),
+    within: Array | float = SAME_VOUCHED,
+    *,
+    each: bool = False,
 ) -> bool:
     """Whether six poses beside T, each solved for certain, have no other solutions than rows (m, n) and self-motions.
 
     A solution of T in a regular posture has one of every pose beside it, near its own; a merged root of some of them.
     So what they lead back to is all there is, whatever the other poses beside T are solved like, where Newton's method
     leads a solution back at all. The special arm that this one nearly is may vouch as well (`counted_by_special`).
+    Nearer to a fold than to the poses beside, they may have none of the solutions that meet there: where `each` is
+    asked for they vouch only if they lead back to every row.
     """
     if counted_by_special(plan, T, rows):
         return True
@@ -294,7 +302,10 @@ def vouched(
     if back is None:
         return False
     if len(rows):
-        back = back[(plan.chain.joints.apart(back[:, None], rows[None]) >= within).all(1)]
+        near = plan.chain.joints.apart(back[:, None], rows[None]) < within
+        if each and not near.any(0).all():
+            return False
+        back = back[~near.any(1)]
     return all(any(motion.contains(q, SAME_VOUCHED) for motion in motions) for q in back)
 
 

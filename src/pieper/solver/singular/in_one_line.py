@@ -9,11 +9,10 @@ from functools import cached_property
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Indices
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
+from pieper.solver.singular.known_motion import StraightMotion
 from pieper.solver.singular.relation import related
 from pieper.solver.singular.self_motion import FREE
-from pieper.solver.singular.straight import StraightMotion
 from pieper.tolerances import CURVE_STEP, HALF_TURN_EDGE, LIMIT_SLACK, NEARER_BY
 
 #: Whole turns of a joint without limits that are tried to either side of the nearest.
@@ -30,12 +29,6 @@ class LineMotion(StraightMotion):
         sense: 1 where the axes point the same way, else -1.
     """
 
-    chain: Chain
-    T: Array
-    limits: Array
-    names: tuple[str, ...]
-    shown: int
-    through: Array
     pair: tuple[int, int]
     sense: float
     closed: bool = True

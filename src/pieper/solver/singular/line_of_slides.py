@@ -8,11 +8,10 @@ from functools import cached_property
 import numpy as np
 
 from pieper.kinematics.arrays import Array
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import newton
+from pieper.solver.singular.known_motion import StraightMotion
 from pieper.solver.singular.relation import related
 from pieper.solver.singular.self_motion import FREE
-from pieper.solver.singular.straight import StraightMotion
 from pieper.tolerances import CURVE_RANK, JOINT_TURNS, LIMIT_SLACK, SLIDES_ALIKE, SLIDES_SHOWN, TINY
 
 
@@ -25,12 +24,6 @@ class SlideLine(StraightMotion):
         way: (n,) unit direction without units, zero but for slides.
     """
 
-    chain: Chain
-    T: Array
-    limits: Array
-    names: tuple[str, ...]
-    shown: int
-    through: Array
     way: Array
     closed: bool = False
     dimension: int = 1

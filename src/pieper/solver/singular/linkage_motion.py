@@ -10,8 +10,8 @@ import numpy as np
 
 from pieper import _kernel
 from pieper.kinematics.arrays import Array
-from pieper.kinematics.chain import Chain
-from pieper.solver.singular.self_motion import FREE, SelfMotion
+from pieper.solver.singular.known_motion import KnownMotion
+from pieper.solver.singular.self_motion import FREE
 from pieper.tolerances import COURSE_STEP, ROUNDING, TINY
 
 #: Samples once round: at most 0.12 rad or so of every joint.
@@ -19,7 +19,7 @@ SAMPLES = 241
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class LinkageMotion(SelfMotion):
+class LinkageMotion(KnownMotion):
     """Four joints move by themselves, one of them leads: four parallel axes, or four through a point.
 
     Their twists at a solution close on themselves, exp(x1 d1) exp(x2 d2) exp(x3 d3) exp(x4 d4) = 1, and go on doing so
@@ -32,12 +32,6 @@ class LinkageMotion(SelfMotion):
         linkage: What `_kernel.Linkage` is told of the four joints, from their numbers on.
     """
 
-    chain: Chain
-    T: Array
-    limits: Array
-    names: tuple[str, ...]
-    shown: int
-    through: Array
     linkage: tuple[Any, ...]
     closed: bool = True
     dimension: int = 1

@@ -15,6 +15,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
+from pieper.kinematics.newton import singular_values
 from pieper.solver.native import Read, SelfMotionSaid
 from pieper.solver.plan.plan import Plan
 from pieper.solver.singular.at_limits import at_limits
@@ -24,6 +25,10 @@ from pieper.solver.singular.linkage_motion import LinkageMotion
 from pieper.solver.singular.merged_roots import null_direction
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.traced_motion import TracedMotion
+from pieper.tolerances import NEAR_A_FOLD, SINGULAR_EXAMINED
+
+#: Rows of one fold, where the arm holds every pose in a second posture too (shoulder turned half round, elbow over).
+ROWS_OF_A_FOLD = 4
 
 
 def examined(plan: Plan, T: Array, read: Read) -> Examined:
@@ -31,6 +36,18 @@ def examined(plan: Plan, T: Array, read: Read) -> Examined:
     directions = partial(_directions, plan.chain, read.q, read.singular)
     motions = partial(_motions, plan, T, read.self_motions) if read.self_motions else ()
     return Examined(read.q, read.self_motion, read.branches, directions, motions)
+
+
+def crowded(plan: Plan, q: Array) -> bool:
+    """Whether rows (m, 6) of an arm that is solved by elimination stand at more than one fold at once.
+
+    Which of them a solution of a pose beside follows from is not told then: they lie nearer to each other than to it.
+    """
+    if plan.spec.closed_form or len(q) <= ROWS_OF_A_FOLD:
+        return False
+    s = singular_values(plan.chain, q)
+    weak = s[:, -1] / s[:, 0]
+    return int(((weak > SINGULAR_EXAMINED) & (weak < NEAR_A_FOLD)).sum()) > ROWS_OF_A_FOLD
 
 
 def _directions(chain: Chain, q: Array, singular: Bools) -> Array:

@@ -299,9 +299,10 @@ class SelfMotion:
         """Whether q (n,) lies on the self-motion within a tolerance (rad); a surface: whether the pose leads to it.
 
         Raises:
-            InputError: A wrong length, or no such posture.
+            InputError: A wrong length, no such posture, or a tolerance that is none.
         """
-        return self._contains(self.padded(self._vector(q, "q")), tolerance)
+        within = arguments.number(tolerance, "tolerance", "rad", least=0.0)
+        return self._contains(self.padded(self._vector(q, "q")), within)
 
     def _contains(self, q: Array, tolerance: float) -> bool:
         if self.dimension == 1 and self.distance(q) > 0.05:

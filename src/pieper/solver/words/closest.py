@@ -86,16 +86,17 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     if plan not in _LOOKED_AT:
         _LOOKED_AT[plan] = _looked_at(chain, limits)
     hill = _Hill(chain, limits, T, *_LOOKED_AT[plan])
-    given = np.empty((0, plan.n)) if seeds is None else seeds
-    given = np.pad(given, ((0, 0), (0, chain.n - plan.n)))
+    given = np.zeros((0 if seeds is None else len(seeds), chain.n))
+    if seeds is not None:
+        given[:, : plan.n] = seeds
     if weights is not None:
         by = _weighed(plan, weights)
         start = np.vstack([hill.starts(by), given])
         q = hill.in_radians(start, by)
         q = q[np.argmin(_cost(*hill.distances(q), by))][None]
+        value, angle = hill.distances(q)
     else:
-        q = hill.onto_place(hill.found(given, turning))
-    value, angle = hill.distances(q)
+        q, value, angle = hill.onto_place(hill.found(given, turning))
     if weights is None and turning and value.min() < ALIKE_NEAR and angle.min() < ALIKE_TURN:
         # where two postures are about to be one, what rounding lets the position be leaves the turn open by its root
         near = q[(value < ALIKE_NEAR) & (angle < ALIKE_TURN)]
@@ -202,12 +203,12 @@ class _Hill:
         """Return how far postures (k, n) are from the pose (k,), per length, and how far turned (k,), rad."""
         return _distances(self.chain, self.chain.native.fk(q), self.T)
 
-    def onto_place(self, q: Array) -> Array:
-        """Return postures (k, n) moved to where the position is met to rounding."""
-        value, _ = self.distances(q)
+    def onto_place(self, q: Array) -> tuple[Array, Array, Array]:
+        """Return postures (k, n) moved to where the position is met to rounding, and their `distances`."""
+        value, angle = self.distances(q)
         some = np.flatnonzero((value > NEWTON_DONE) & (value < ALIKE_TURN))
         if not len(some):
-            return q
+            return q, value, angle
         start, (lower, upper) = q[some], self.limits.T
         held = (start <= lower) | (start >= upper)
 
@@ -220,7 +221,7 @@ class _Hill:
         exact = np.clip(self._newton(miss, slope, start), lower, upper)
         better = self.distances(exact)[0] < value[some]
         q[some[better]] = exact[better]
-        return q
+        return q, *self.distances(q)
 
     def onto_pose(self, q: Array) -> Array:
         """Return postures (k, n) moved to where what is missed of the whole pose is least."""

@@ -9,7 +9,7 @@ from pieper.kinematics.joints import TURN
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status
 from pieper.solver.rows import Flag
-from pieper.tolerances import ARM_ANGLE_POLE, TOLD_AS_HIT, TOLD_AS_TURN
+from pieper.tolerances import ARM_ANGLE_POLE, CLOSES, TOLD_AS_TURN
 from pieper.words_by_number import plural
 
 #: Doublings of a quarter radian after which every variant of a posture by whole turns is inside.
@@ -72,7 +72,7 @@ def _held(plan: Plan, sols: Solutions) -> str:
 def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     near = sols.closest
     metres, radians = near.metres, near.radians
-    if plan.redundancy and metres < TOLD_AS_HIT * plan.chain.length and radians < TOLD_AS_HIT:
+    if plan.redundancy and metres < CLOSES * plan.chain.length and radians < CLOSES:
         held = _held(plan, sols)
         return f"No solution at the chosen {held}, though the arm can take the pose with other values."
     # a turn is told where it is one, or all that is missing

@@ -53,6 +53,8 @@ GENERAL_PERFECT = 1e-15
 GENERAL_NEARBY = 1e-3
 #: and the second.
 GENERAL_NEARBY_TOO = 3e-4
+#: Two roots that such a change makes complex are no farther from the real line than a few times its root.
+GENERAL_BLIND = 0.1
 #: Polishing ends at this miss,
 POLISH_DONE = 3e-16
 #: at this one where the pose is regular,

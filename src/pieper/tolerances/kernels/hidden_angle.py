@@ -6,9 +6,11 @@ HIDDEN_NOISE = 3e-14
 HIDDEN_DEGREE = 1e-12
 #: Solutions of two ways that are one (rad; lengths), where a pose is not clear.
 HIDDEN_SAME = 1e-5
-#: A root is found when Newton moves it by less: its error is of the order of the square then, and two more steps
-#: are taken on the arm's own condition, which say when they are longer than they should be.
-HIDDEN_ROOT_STEP = 1e-5
+#: A root is found when Halley's method moves it by less: its error is of the order of the cube then, and another step
+#: is taken on the arm's own condition, which says when it is longer than it should be:
+HIDDEN_ROOT_STEP = 1e-4
+#: a step of Newton's shorter than this leaves nothing for another.
+HIDDEN_NEAR_ROOT = 1e-10
 #: One side of a root is believed when the other misses a hundred times more,
 HIDDEN_SIDE = 1e-2
 #: the first Newton step is no longer than this,
