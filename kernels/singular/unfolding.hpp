@@ -94,8 +94,6 @@ class Unfolding {
 
  private:
   static constexpr int kCoefficients = kOrder + 1;
-  static constexpr double kAcross = 1e-4;      // beside a root, where its Jacobian is compared
-  static constexpr double kNoBend = 1e-5;      // the same to second order on all sides
   static constexpr double kCentreHolds = 3.0;  // times rounding: what is held as well as its root
 
   // How far from zero rounding alone lets a root of c_k t^k be.
@@ -178,7 +176,7 @@ class Unfolding {
     for (int a = 0; a < free_; ++a) {
       double sides[2][6][6], there[6];
       for (int side = 0; side < 2; ++side) {
-        for (int i = 0; i < n; ++i) there[i] = q[i] + (side ? kAcross : -kAcross) * d.joint[strong + a][i];
+        for (int i = 0; i < n; ++i) there[i] = q[i] + (side ? kUnfoldingAcross : -kUnfoldingAcross) * d.joint[strong + a][i];
         jacobian(there, sides[side]);
       }
       for (int b = 0; b < free_; ++b)
@@ -187,7 +185,7 @@ class Unfolding {
           for (int i = 0; i < n; ++i)
             for (int c = 0; c < 6; ++c)
               sum += d.pose[r][c] * (sides[1][i][c] - sides[0][i][c]) * d.joint[strong + b][i];
-          bend_[b][a][r] = sum / (2 * kAcross);
+          bend_[b][a][r] = sum / (2 * kUnfoldingAcross);
         }
     }
   }
@@ -207,7 +205,7 @@ class Unfolding {
       int best = i;
       for (int r = i + 1; r < k; ++r)
         if (std::fabs(A[r][i]) > std::fabs(A[best][i])) best = r;
-      if (!(std::fabs(A[best][i]) > kNoBend * kNoBend)) return false;
+      if (!(std::fabs(A[best][i]) > kUnfoldingNoBend * kUnfoldingNoBend)) return false;
       if (best != i) std::swap_ranges(A[best], A[best] + 7, A[i]);
       for (int r = 0; r < k; ++r) {
         if (r == i) continue;

@@ -73,6 +73,10 @@ UNFOLDING_FOUND = 1e-14
 #: Where roots are one, lower orders of what is missed come to no more than this part of what is rounded: of two roots
 #: that rounding just tells apart it is more.
 UNFOLDING_ROUNDING = 0.5
+#: Beside a root with several free directions (rad; lengths), where its Jacobian is compared.
+UNFOLDING_ACROSS = 1e-4
+#: What the Jacobian does along free directions that changes by less than this (per rad; length) does not bend.
+UNFOLDING_NO_BEND = 1e-5
 #: Squared sine between neighbouring axes above which they are clearly not parallel: their point is where they meet.
 CLEARLY_CROSSING = 1e-6
 #: A joint of a four-bar linkage reaches a dead centre that its range misses by this part.
