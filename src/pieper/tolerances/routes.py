@@ -62,3 +62,5 @@ NO_SWING = 1e-5
 BOX_ROUNDING = 1e-11
 #: Part of the size of J J' that is added to it before a multiplier is worked out: any multiplier does.
 MULTIPLIER_DAMPED = 1e-3
+#: Points of a path farther apart (per length; rad) are looked between before a route is refused.
+POINTS_FAR_APART = 0.05

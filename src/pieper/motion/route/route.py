@@ -21,7 +21,7 @@ from pieper.motion.route.keep import Keep
 from pieper.motion.route.others import Others
 from pieper.motion.route.refusal import refusal
 from pieper.motion.route.result import Route
-from pieper.motion.route.search import Found, Task, search, search_between
+from pieper.motion.route.search import Found, Task, far_apart, search, search_between
 from pieper.motion.route.setting import Setting, setting
 from pieper.motion.route.swarm import search_by_swarm
 from pieper.solver.plan.plan import Plan
@@ -74,6 +74,10 @@ def route(
     task = Task(world, cost == TIME, ends, step, kept)
     found = search_by_swarm(task) if world.thin else None
     found = search(task) if found is None else found
+    if far_apart(world) and not world.thin:
+        # sooner looked between them than refused, or held to what rows at them alone lead to
+        between = search_between(task, 1)
+        found = between if found is None or (between is not None and between.cost < found.cost) else found
     bound = least_motion(world, cost == TIME)
     if found is None:
         verdict, blocked, reason = refusal(task, thorough=False)

@@ -17,7 +17,7 @@ from pieper.motion.route.setting import Setting, with_turn_limits
 from pieper.motion.route.setting import setting as setting_of
 from pieper.motion.route.smooth import Shape, Smoothed, smooth
 from pieper.motion.route.together import branches, continuous, one_branch
-from pieper.tolerances import CONE_INSIDE, LIMIT_SLACK, NO_LOOK_BETWEEN
+from pieper.tolerances import CONE_INSIDE, LIMIT_SLACK, NO_LOOK_BETWEEN, POINTS_FAR_APART
 
 #: Stations of the first ladder, and how often twice as many are tried, each with a finer grid.
 STATIONS, FINER = 51, (1, 2, 4)
@@ -189,17 +189,28 @@ def dense(task: Task, least: int, most: int, wanted: int = BETWEEN) -> tuple[Tas
     return replace(task, setting=replace(setting, path=poses, asked=poses, s=s), turn_step=step), each
 
 
-def search_between(task: Task) -> Found | None:
-    """Return a route that was made short with points between those of the path too.
+def far_apart(setting: Setting) -> bool:
+    """Whether points of the path are so far apart that rows at them alone do not lead from one to the next."""
+    step = np.linalg.norm(np.diff(setting.path[:, :3, 3], axis=0), axis=1).max()
+    _, angle = setting.twists(setting.s)
+    return bool(step > POINTS_FAR_APART * setting.plan.chain.length or np.abs(angle).max() > POINTS_FAR_APART)
+
+
+def search_between(task: Task, ladders: int = len(FINER)) -> Found | None:
+    """Return a route that so many ladders lead to, made short with points between those of the path too.
 
     What is cheapest from point to point may change the branch where points are far apart, which is no route.
     """
     fine, each = dense(task, 1, BETWEEN)
-    found = search(fine) if each > 1 else None
+    found = search(fine, ladders) if each > 1 else None
     if found is None:
         return None
     x = found.x[::each]
-    return replace(found, x=x, cost=cost_of(task.setting, x, task.largest), slope=np.inf)
+    kept = replace(found, x=x, cost=cost_of(task.setting, x, task.largest), slope=np.inf)
+    moved = carried(task, x, np.arange(len(x), dtype=float))
+    if moved is None or moved.cost > kept.cost:
+        return kept
+    return replace(kept, x=moved.x, cost=moved.cost, slope=moved.slope)
 
 
 def _inside(setting: Setting, ladder: Rungs) -> Bools:
