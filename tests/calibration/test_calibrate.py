@@ -93,7 +93,7 @@ def test_outliers_are_named_and_cost_little(name):
             into.append(apart(fit.model.fk(new)[:, :3, 3], true.fk(new)[:, :3, 3], False))
         assert fits[1].outliers == tuple(bad.tolist())
         # no fit can do better: it is the one of somebody who knew the bad rows and fitted the others
-        good = np.setdiff1d(np.arange(67), np.concatenate([_held_out(67, 0.25), bad]))
+        good = np.setdiff1d(np.arange(67), np.concatenate([_held_out(q, 0.25), bad]))
         knew = arm.calibrate(q[good], Y[good], sigma=NOISE, holdout=0.0)
         assert np.abs(fits[1].model.fk(new) - knew.model.fk(new)).max() < 1e-7
     assert np.mean(spoilt) < 1.2 * np.mean(clean)
@@ -209,3 +209,18 @@ def test_a_fit_needs_to_be_told_how_arms_are_made():
     arm = pieper.load("denso-vp6242")
     q = postures(arm, np.random.default_rng(0), 20)
     assert calibrate(arm, q, arm.fk(q), make=lambda description: description.name).arm == "denso-vp6242-calibrated"
+
+
+def test_of_a_posture_measured_several_times_all_or_none_is_held_out():
+    arm, rng = pieper.load("universal-robots-ur5e"), np.random.default_rng(5)
+    true, few = planted(arm, rng), postures(arm, rng, 24)
+    q = np.repeat(few, 5, axis=0)[rng.permutation(120)]
+    held = _held_out(q, 0.25)
+    assert len(held) == 30
+    kept = np.delete(q, held, axis=0)
+    assert np.abs(q[held][:, None] - kept[None]).max(-1).min() > 0.01
+    # what was repeated says as much about other postures as what was not
+    fit = arm.calibrate(q, noisy(true.fk(q), rng), sigma=NOISE)
+    new = postures(arm, rng, 300)
+    missed = apart(fit.model.fk(new)[:, :3, 3], true.fk(new)[:, :3, 3], False)
+    assert fit.held_out.metres > 0.6 * missed

@@ -58,7 +58,7 @@ def calibrate(
     data, noise = measured_as(kind, measured, len(joints)), noise_of(sigma)
     parameters = parameters_of(chain, arm.description.joint_names, hold, joint_terms)
     nominal = AxesModel.of(chain)
-    tested = _held_out(len(joints), holdout)
+    tested = _held_out(joints, holdout)
     fitted_on = np.setdiff1d(np.arange(len(joints)), tested)
     _refuse_too_few(joints[fitted_on], parameters, data, len(tested))
     refuse_misreadings(nominal, joints, data, arm.description.joint_names, chain.length)
@@ -94,11 +94,17 @@ def calibrate(
     )
 
 
-def _held_out(count: int, holdout: float) -> npt.NDArray[np.int64]:
-    """Return the rows that are held out, evenly spread."""
+def _held_out(q: Array, holdout: float) -> npt.NDArray[np.int64]:
+    """Return the rows that are held out, evenly spread: of a posture that was measured several times all or none."""
     arguments.number(holdout, "holdout, a part of the poses,", least=0.0, below=1.0)
-    held = round(holdout * count)
-    return ((np.arange(held) + 0.5) * count / max(held, 1)).astype(np.int64)
+    if not len(q):
+        return np.zeros(0, np.int64)
+    _, first, which = np.unique(np.round(q / SAME_MEASUREMENT), axis=0, return_index=True, return_inverse=True)
+    # in the order in which they were measured
+    turn = np.argsort(np.argsort(first))[which.reshape(-1)]
+    held = round(holdout * len(first))
+    chosen = ((np.arange(held) + 0.5) * len(first) / max(held, 1)).astype(np.int64)
+    return np.flatnonzero(np.isin(turn, chosen)).astype(np.int64)
 
 
 def _refuse_too_few(q: Array, parameters: Parameters, data: Measurements, held: int) -> None:
@@ -107,7 +113,7 @@ def _refuse_too_few(q: Array, parameters: Parameters, data: Measurements, held: 
     distinct = len(np.unique(np.round(q / SAME_MEASUREMENT), axis=0)) if len(q) else 0
     if distinct >= needed:
         return
-    beside = f" ({held} more are held out)" if held else ""
+    beside = f" ({held} more {'is' if held == 1 else 'are'} held out)" if held else ""
     few = f"{plural(len(q), 'pose')} to fit{beside}"
     if distinct < len(q):
         few += f", of which only {distinct} {'is' if distinct == 1 else 'are'} different"

@@ -24,6 +24,7 @@ from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.joints import TURN, inside
 from pieper.kinematics.pose import PoseLike
 from pieper.tolerances import ENOUGH_HELD, FAR_LESS
+from pieper.words_by_number import plural
 
 PI = np.pi
 #: By how much (rad, m) joint terms change a value at most: farther outside its limits a chain's value is not tried.
@@ -237,8 +238,8 @@ class Fit:
         headline = self.headline()
         lines = [
             f"{self.nominal.name}: {headline[0].upper()}{headline[1:]}",
-            f"{int(self.parameters.free.sum())} numbers were fitted to {used} poses ({self.kind}), {held} more were "
-            f"held out; {self.steps} steps. Noise: {_mm(self.sigma[0])}"
+            f"{int(self.parameters.free.sum())} numbers were fitted to {used} poses ({self.kind}), {held} more "
+            f"{'was' if held == 1 else 'were'} held out; {plural(self.steps, 'step')}. Noise: {_mm(self.sigma[0])}"
             + (f", {_mrad(self.sigma[1])}." if self.kind == "pose" else "."),
         ]
         if self.spread > 1.5:
@@ -257,7 +258,7 @@ class Fit:
             which = ", ".join(str(i + 1) for i in self.outliers)
             lines.append(f"Left out as no noise: measurement{'s' if len(self.outliers) > 1 else ''} {which}.")
         if held and self.held_out is not None and self.held_out.count < self.held_out.of:
-            lines.append(f"Of them {self.held_out.of - self.held_out.count} were held out, and are not in the error.")
+            lines.append(f"Held out of them, and not in the error: {self.held_out.of - self.held_out.count}.")
         if self.unobservable:
             lines.append(
                 "These measurements cannot see, and the fit left as it was: " + "; ".join(self.unobservable) + "."
@@ -271,9 +272,12 @@ class Fit:
         largest = np.argsort(-np.sqrt(np.diag(self.covariance)) / self.parameters.sizes)[:3]
         units = ["" if unit == "1" else f" {unit}" for unit in self.parameters.units]
         sure = "; ".join(
-            f"{self.parameters.names[k]} to {np.sqrt(self.covariance[k, k]):.1e}{units[k]}" for k in largest
+            f"{self.parameters.names[k]} to {np.sqrt(self.covariance[k, k]):.1e}{units[k]}"
+            for k in largest
+            if self.covariance[k, k] > 0
         )
-        lines.append(f"Least sure among what was seen: {sure}.")
+        if sure:
+            lines.append(f"Least sure among what was seen: {sure}.")
         return "\n".join(lines)
 
     def __repr__(self) -> str:

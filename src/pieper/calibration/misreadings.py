@@ -109,7 +109,8 @@ def misfit(model: AxesModel, q: Array, data: Measurements, length: float) -> flo
 
 def _said(miss: tuple[float, float | None]) -> str:
     metres, radians = miss
-    return f"{metres:.3g} m" + ("" if radians is None else f" and {radians:.2g} rad")
+    # none at all: orientations were not measured, or not compared
+    return f"{metres:.3g} m" + (f" and {radians:.2g} rad" if radians else "")
 
 
 def _readings(
