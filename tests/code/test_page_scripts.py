@@ -12,5 +12,5 @@ def test_every_kind_of_arm_has_its_script():
         said = pieper.load(name).description
         kinds.setdefault((said.joint_types, said.coupling is not None, bool(said.linked)), name)
     for name in kinds.values():
-        script, _ = arm_script(pieper.load(name))
+        script, _ = arm_script(pieper.load(name), name)
         assert script.startswith("window.PIEPER.arrived(") and f'"name": "{name}"' in script

@@ -60,7 +60,9 @@ def test_a_bound_of_the_tool_s_acceleration_is_met_where_it_peaks_between_two_po
     d2 = -d3 * (u * h / 2 + x[1]) / (3 * u)  # both ends are equally fast then
     way = np.array([[1.0, 0.0, 0.0]])
     point, bend = (np.array([[a], [b]]) * way for a, b in ((d1, d1 + h * d2 + h**2 / 2 * d3), (d2, d2 + h * d3)))
-    tool = ToolCurve(point, bend, 0 * bend, np.zeros(1), np.zeros(1), third=np.array([d3]), fourth=np.zeros(1))
+    tool = ToolCurve(
+        point, bend, 0 * bend, *np.zeros((2, 1)), third=np.array([d3]), turn_third=np.zeros(1), fourth=np.zeros(1)
+    )
     s = h / 2
     middle = (d1 + d2 * s + d3 * s**2 / 2) * u + (d2 + d3 * s) * (x0 + 2 * u * s)
     assert abs(middle) > abs(d1 * u + d2 * x0) + 1e-3

@@ -55,8 +55,6 @@ DAMPED_INVERSE = 1e-6
 BESIDE_UNSOLVED = (1e-4, -1e-4, 1e-3)
 #: Directions that the pose feels less than this part of the most carry no step onto the pose: the joints stay near.
 PULLED_RANK = 1e-7
-#: Nor do those below this part for anything: they are zero, and rounding made them.
-RANK_ROUNDING = 1e-13
 #: How near to a special arrangement an arm is tried as one, the nearest first, where no elimination is certain (rad;
 #: per length): beyond the last of them eliminations are certain again.
 NEARLY_SPECIAL = (1e-10, 1e-8, 1e-6, 2e-5)
