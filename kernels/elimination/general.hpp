@@ -47,7 +47,8 @@ inline bool agreed(const Variant& v, const Report& report, const Found& found, i
 // The same of the pose itself. A nearby arm is no witness where two solutions may be about to merge: of it they may be complex. Where
 // there are no other witnesses nothing is certain anyhow.
 inline bool witnessed(const Model& model, const Variant& v, const Report& report, const Found& found, int before) {
-  return trusted(v, report) && (!report.blind || model.variant[0].arm) && agreed(v, report, found, before);
+  const bool keeps = report.size > kGeneralWitness * v.typical;
+  return keeps && (!report.blind || model.variant[0].arm) && agreed(v, report, found, before);
 }
 
 // Solutions of a neighbouring pose, polished onto this one.

@@ -248,7 +248,7 @@ def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
         return None  # a curve that was followed may pass the limits between its points
     from pieper.solver.singular.read_off import crowded, examined
 
-    if not read.self_motions and crowded(plan, read.q):
+    if not read.self_motions and crowded(plan, pose, read.q):
         return None
     T = checked_pose(pose) if read.flag & _ROUNDED else pose
     found = examined(plan, T, read)
@@ -315,7 +315,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         read = plan.solver.read_into(poses, index, rows)
         if not plan.spec.closed_form:
             read[(read == 2) & ~any_row(rows.inside[index])] = 0  # as in `_read`
-            read[read == 1] = [not crowded(plan, rows.of(i)[0]) for i in index[read == 1].tolist()]
+            read[read == 1] = [not crowded(plan, poses[i], rows.of(i)[0]) for i in index[read == 1].tolist()]
         seen, curve = index[read > 0], index[read == 2]
         status[seen] = _PLAIN[1 + any_row(rows.inside[seen])]
         status[curve[any_row(rows.inside[curve])]] = np.uint8(Status.SINGULAR)

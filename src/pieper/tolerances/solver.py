@@ -222,3 +222,5 @@ SAID_AS_ZERO = 1e-9
 #: Relative sigma_min below which a regular row stands near a fold: its twin is about as far away as the steps by which
 #: poses beside a singular one are taken lead.
 NEAR_A_FOLD = 1e-4
+#: Steps aside (per length; rad) at which it is counted whether a pose beside a fold has more solutions than were told.
+BESIDE_A_FOLD = (1e-8, 1e-7)

@@ -18,14 +18,16 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import singular_values
 from pieper.solver.native import Read, SelfMotionSaid
 from pieper.solver.plan.plan import Plan
+from pieper.solver.rows import Flag
 from pieper.solver.singular.at_limits import at_limits
+from pieper.solver.singular.examine import side_steps
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.in_one_line import LineMotion
 from pieper.solver.singular.linkage_motion import LinkageMotion
 from pieper.solver.singular.merged_roots import null_direction
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.traced_motion import TracedMotion
-from pieper.tolerances import NEAR_A_FOLD, SINGULAR_EXAMINED
+from pieper.tolerances import BESIDE_A_FOLD, NEAR_A_FOLD, SINGULAR_EXAMINED
 
 #: Rows of one fold, where the arm holds every pose in a second posture too (shoulder turned half round, elbow over).
 ROWS_OF_A_FOLD = 4
@@ -38,16 +40,21 @@ def examined(plan: Plan, T: Array, read: Read) -> Examined:
     return Examined(read.q, read.self_motion, read.branches, directions, motions)
 
 
-def crowded(plan: Plan, q: Array) -> bool:
-    """Whether rows (m, 6) of an arm that is solved by elimination stand at more than one fold at once.
+def crowded(plan: Plan, T: Array, q: Array) -> bool:
+    """Whether rows (m, 6) of an arm that is solved by elimination stand at more than one fold at once, and may be few.
 
     Which of them a solution of a pose beside follows from is not told then: they lie nearer to each other than to it.
+    Where no pose beside has more solutions than there are rows, none is missing.
     """
     if plan.spec.closed_form or len(q) <= ROWS_OF_A_FOLD:
         return False
     s = singular_values(plan.chain, q)
     weak = s[:, -1] / s[:, 0]
-    return int(((weak > SINGULAR_EXAMINED) & (weak < NEAR_A_FOLD)).sum()) > ROWS_OF_A_FOLD
+    if ((weak > SINGULAR_EXAMINED) & (weak < NEAR_A_FOLD)).sum() <= ROWS_OF_A_FOLD:
+        return False
+    beside = np.concatenate([side_steps(plan.chain, T, (size,)) for size in BESIDE_A_FOLD])
+    _, valid, _, flags = plan.solver.many(np.ascontiguousarray(beside), 1)
+    return bool((flags & Flag.UNCERTAIN).any() or valid.sum(1).max() > len(q))
 
 
 def _directions(chain: Chain, q: Array, singular: Bools) -> Array:

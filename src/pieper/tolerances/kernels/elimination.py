@@ -24,6 +24,8 @@ GENERAL_MARKED = 1e-12
 #: One this much smaller is no witness that nothing is missing: two eigenvalues that coincide come as a pair whose
 #: imaginary part, the root of 1e-16 over this, must stay well below what is tried as a double root.
 GENERAL_TRUSTED = 1e-7
+#: The same of a further elimination, asked only whether it finds more: the root is still below what is tried.
+GENERAL_WITNESS = 1e-10
 #: By how much eigenvalues may fail to reproduce the determinant around the circle, of its largest: one that is off by
 #: what makes a double root more than nearly real changes it by the square of that; others leave 1e-12.
 GENERAL_STRAYED = 1e-7
