@@ -176,7 +176,8 @@ class Unfolding {
     for (int a = 0; a < free_; ++a) {
       double sides[2][6][6], there[6];
       for (int side = 0; side < 2; ++side) {
-        for (int i = 0; i < n; ++i) there[i] = q[i] + (side ? kUnfoldingAcross : -kUnfoldingAcross) * d.joint[strong + a][i];
+        for (int i = 0; i < n; ++i)
+          there[i] = q[i] + (side ? kUnfoldingAcross : -kUnfoldingAcross) * d.joint[strong + a][i];
         jacobian(there, sides[side]);
       }
       for (int b = 0; b < free_; ++b)
