@@ -62,8 +62,10 @@ def smooth_motion(timed: TimedPath, curve: JointCurve, rate: float) -> Motion:
         if profile.duration * factor < best.duration:
             best = _Tried(profile.duration * factor, factor, profile, best.eased)
     profile, ratios = peaks(timed, curve, best.profile.slower(best.factor))
-    # what the search bounded by more than there is becomes faster
-    while ratios.margin > 1 or ratios.margin < 1 - BOUND_NEAR:
+    sped = False
+    # what the search bounded by more than there is becomes faster, once: what rounding passes then is taken back alone
+    while ratios.margin > 1 or (ratios.margin < 1 - BOUND_NEAR and not sped):
+        sped |= ratios.margin < 1
         profile, ratios = peaks(timed, curve, profile.slower(float(ratios.stretch().max()) * (1 + TAKEN_BACK)))
     tight = binding(profile.t, ratios)
     return timed.motion(sampled(curve, profile, rate), tight, ratios.margin, profile.duration, curve.between_points())

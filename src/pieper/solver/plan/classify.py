@@ -86,9 +86,9 @@ def _by_nearly(plan: Plan, chain: Chain, description: Description) -> Plan:
     """Return a plan through the special arm that this one nearly is, where it can only be solved so with certainty.
 
     So near to a special arrangement (an angle typed with nine digits, for one) every elimination drowns in rounding.
-    The special arm's solutions are refined on the arm as described, and counted (see `snap_count`). Where it has
-    joints that do the same, as the arm as described has not, they are none of that arm's; and a short arm is refined
-    by its own few joints, which a turn of the special one's does not lead to it.
+    The special arm's solutions are refined on the arm as described, and counted (see `snap_count`). A special arm with
+    more joints to spare has self-motions where the arm as described has a few solutions, which nothing refines into
+    these; nor do the few joints of a short arm take its special one's solutions onto the pose.
     """
     if plan.reduction.fill:
         return plan

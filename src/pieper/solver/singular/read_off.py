@@ -44,7 +44,7 @@ def crowded(plan: Plan, T: Array, q: Array) -> bool:
     """Whether rows (m, 6) of an arm that is solved by elimination stand at more than one fold at once, and may be few.
 
     Which of them a solution of a pose beside follows from is not told then: they lie nearer to each other than to it.
-    Where no pose beside has more solutions than there are rows, none is missing.
+    Where no pose close beside has more solutions than there are rows, these are believed.
     """
     if plan.spec.closed_form or len(q) <= ROWS_OF_A_FOLD:
         return False
