@@ -16,6 +16,8 @@ TURNS, NEAR = 1440, 24
 STEP, SWING = 0.6, 1.0
 #: Places between two points where a chain is looked at.
 BETWEEN = 10
+#: How many times as many where a joint seems to jump.
+NEARER = 8
 #: How far a joint may be beyond its limits between points, and how far it may go on a tenth of the way (rad).
 BEYOND, JUMP = 2e-3, 0.25
 
@@ -121,29 +123,41 @@ def fits(arm: Arm, q: np.ndarray) -> bool:
 
 
 def torn(arm: Arm, path: np.ndarray, q: np.ndarray, limits: np.ndarray) -> str:
-    """Return where a chain (N, n) with the turn free does not go on between its points; nothing where it does."""
-    low, high = limits.T
-    part = np.arange(1, BETWEEN) / BETWEEN
+    """Return where a chain (N, n) with the turn free does not go on between its points; nothing where it does.
+
+    A joint that goes far from one point to the next passes JUMP on a tenth of the way as it is: what seems to jump is
+    looked at nearer, by steps an eighth as long of which each may be a quarter as large.
+    """
     for k in range(len(q) - 1):
-        a, b = q[k], q[k + 1]
-        before = a
-        for T, s in zip(pieper.line(path[k], path[k + 1], BETWEEN + 1)[1:-1], part, strict=True):
-            # from the straight joint line, the turn as it comes: what is left free is free between points too
-            now, on = _onto(arm, T, a + s * (b - a))
-            beyond = (now < low) | (now > high)
-            if on and beyond.any():
-                # a joint that would leave its limits stands still at them: the turn gives way
-                now, on = _onto(arm, T, np.clip(now, low, high), ~beyond)
-            if not on:
-                return f"not continued between points {k + 1} and {k + 2}"
-            if ((now < low - BEYOND) | (now > high + BEYOND)).any():
-                return f"outside the limits between points {k + 1} and {k + 2}"
-            if np.abs(now - before).max() > JUMP:
-                return f"jumps between points {k + 1} and {k + 2}"
-            before = now
-        if np.abs(b - before).max() > JUMP:
-            return f"jumps between points {k + 1} and {k + 2}"
+        how = _torn(arm, path[k : k + 2], q[k : k + 2], limits, BETWEEN, JUMP)
+        if how.startswith("jumps"):
+            how = _torn(arm, path[k : k + 2], q[k : k + 2], limits, NEARER * BETWEEN, JUMP / 4)
+        if how:
+            return f"{how} between points {k + 1} and {k + 2}"
     return ""
+
+
+def _torn(arm: Arm, path: np.ndarray, q: np.ndarray, limits: np.ndarray, places: int, jump: float) -> str:
+    """Return how a chain of two points is torn, looked at at so many places between; nothing where it is not."""
+    low, high = limits.T
+    a, b = q
+    before = a
+    part = np.arange(1, places) / places
+    for T, s in zip(pieper.line(*path, places + 1)[1:-1], part, strict=True):
+        # from the straight joint line, the turn as it comes: what is left free is free between points too
+        now, on = _onto(arm, T, a + s * (b - a))
+        beyond = (now < low) | (now > high)
+        if on and beyond.any():
+            # a joint that would leave its limits stands still at them: the turn gives way
+            now, on = _onto(arm, T, np.clip(now, low, high), ~beyond)
+        if not on:
+            return "not continued"
+        if ((now < low - BEYOND) | (now > high + BEYOND)).any():
+            return "outside the limits"
+        if np.abs(now - before).max() > jump:
+            return "jumps"
+        before = now
+    return "jumps" if np.abs(b - before).max() > jump else ""
 
 
 def ladder_cost(arm: Arm, path: np.ndarray, free: pieper.Freedom) -> dict[str, Any]:
