@@ -143,7 +143,7 @@ def _torn(arm: Arm, path: np.ndarray, q: np.ndarray, limits: np.ndarray, places:
     a, b = q
     before = a
     part = np.arange(1, places) / places
-    for T, s in zip(pieper.line(*path, places + 1)[1:-1], part, strict=True):
+    for T, s in zip(pieper.line(path[0], path[1], places + 1)[1:-1], part, strict=True):
         # from the straight joint line, the turn as it comes: what is left free is free between points too
         now, on = _onto(arm, T, a + s * (b - a))
         beyond = (now < low) | (now > high)
