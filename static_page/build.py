@@ -117,13 +117,15 @@ def build(out: Path, names: list[str], code: bytes | None = None, own: list[str]
         own: Robot files.
     """
     own_arms = named(own or [], names)
+    # first what may be refused: preparing all arms takes minutes
+    code = code or kernel()
     texts, solved = arm_files(own_arms | {name: pieper.load(name) for name in names})
     page = (HERE / "page.html").read_text()
     said = {"identity": identity.both_themes(), "icon": identity.icon_address()}
     for name, text in {**said, "wordmark": identity.identity()["wordmark"]}.items():
         page = page.replace("{{" + name + "}}", text)
     # packed before it is made letters: letters of what is not packed would be packed badly on the way, or not at all
-    packed = gzip.compress(code or kernel(), mtime=0)
+    packed = gzip.compress(code, mtime=0)
     begun = {"made": fingerprint(), "kernel": base64.b64encode(packed).decode(), "axes": identity.axes()}
     texts |= {
         "index.html": page,

@@ -24,3 +24,17 @@ def test_a_spare_joint_needs_a_value(value, tmp_path):
     spare = loaded(arm.code("python", tmp_path / "spare.py"))
     with pytest.raises(ValueError, match="values must be finite"):
         spare.ik(arm.fk(np.zeros(7)), value)
+
+
+def test_a_name_that_a_language_would_cut_short_is_refused(tmp_path):
+    with pytest.raises(pieper.InputError, match="at most 48 letters"):
+        pieper.load("denso-vp6242").code("matlab", tmp_path / "out", name="a" * 300)
+
+
+def test_an_arm_whose_name_has_two_lines_is_written_as_one_comment(tmp_path):
+    arm = pieper.Arm.from_dh([pieper.DH(a=0.3)] * 3, convention="standard", name="one\ntwo", limits=[(-3, 3)] * 3)
+    folder = arm.code("matlab", tmp_path / "out", name="x")
+    for file in folder.iterdir():
+        heads = file.read_text().split("\n")
+        assert not any(line.startswith("two") for line in heads), file.name
+        assert any("one two" in line for line in heads)

@@ -304,3 +304,27 @@ def test_the_example_of_the_page_runs(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for block in re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.S):
         exec(compile(block, str(PAGE), "exec"), {})
+
+
+def test_a_store_does_not_make_a_map_larger_than_the_memory_possible(tmp_path):
+    """A step typed in metres where millimetres were meant is told before anything is made."""
+    with pytest.raises(pieper.InputError, match=r"this machine has .* of memory, which a store does not replace"):
+        pieper.load("denso-vp6242").reach_map(((-1, 1),) * 3, 1e-6, (512, 32), store=tmp_path / "big")
+    assert not (tmp_path / "big").exists()
+
+
+def test_a_coupled_arm_is_not_sent_to_a_task_that_it_refuses():
+    row = pieper.DH
+    arm = pieper.Arm.from_dh(
+        [row(a=0.3, d=0.4), row(a=0.25, alpha=np.pi), row(), row(d=0.05)],
+        joint_types="RRPR",
+        convention="standard",
+        limits=[(-2.5, 2.5), (-2.5, 2.5), (0, 0.2), (-13, 13)],
+        coupling=[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.003], [0, 0, 0, 1]],
+    )
+    box = ((-0.6, 0.6), (-0.6, 0.6), (-0.3, 0.9))
+    said = arm.reach_map(box, 0.3, (8, 4)).explain()
+    assert "give orientations that it can hold" in said
+    assert "task=" not in said
+    held = arm.reach_map(box, 0.3, np.diag([1.0, -1.0, -1.0])[None])
+    assert held.solutions.any()

@@ -17,6 +17,7 @@ from pieper.calibration.measurements import BLIND, SETUP, WIDTH, Measurements, m
 from pieper.calibration.misreadings import refuse_misreadings
 from pieper.calibration.model import AxesModel
 from pieper.calibration.parameters import Parameters, parameters_of
+from pieper.calibration.strange_rows import refuse_strange_rows
 from pieper.calibration.unseen import in_words
 from pieper.description.dh import Description
 from pieper.errors import InputError
@@ -62,6 +63,8 @@ def calibrate(
     fitted_on = np.setdiff1d(np.arange(len(joints)), tested)
     _refuse_too_few(joints[fitted_on], parameters, data, len(tested))
     refuse_misreadings(nominal, joints, data, arm.description.joint_names, chain.length)
+    if loss == "linear":
+        refuse_strange_rows(nominal, joints, data, chain.length)
     start = data.rows(fitted_on).placed(nominal.fk(joints[fitted_on])[:, :3, 3])
     by = Weighed(parameters, joints[fitted_on], noise or FIRST_NOISE, sizes_of(parameters, data, chain.length))
     found, by = _fitted(nominal, start, by, loss, estimate=noise is None)
@@ -84,6 +87,8 @@ def calibrate(
         unobservable=in_words(found.model, parameters, found.unseen, by.sizes),
         held_out=error,
         sigma=by.sigma,
+        sigma_said=noise is not None,
+        shares=np.sum(found.seen[:, : parameters.count] ** 2, axis=0),
         spread=found.spread,
         outliers=tuple(sorted(int(i) for i in (*fitted_on[found.outliers], *tested[strange]))),
         rows=(len(fitted_on), len(tested)),

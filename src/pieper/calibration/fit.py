@@ -23,7 +23,7 @@ from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.joints import TURN, inside
 from pieper.kinematics.pose import PoseLike
-from pieper.tolerances import ENOUGH_HELD, FAR_LESS
+from pieper.tolerances import ENOUGH_HELD, FAR_LESS, MOSTLY_SEEN, NO_NOISE
 from pieper.words_by_number import plural
 
 PI = np.pi
@@ -81,6 +81,8 @@ class Fit:
         unobservable: What the measurements cannot see, in words; it stays as the nominal arm has it.
         held_out: The error on held-out poses; None where none were.
         sigma: The noise (m, rad) that was said, or else estimated.
+        sigma_said: Whether it was said.
+        shares: (k,) which part of each number the measurements see, 0 to 1.
         spread: Residuals over noise: far above 1 something else than these numbers is at work.
         outliers: Indices of the rows that were left out as no noise (loss "huber"), held-out ones too.
         rows: How many poses were fitted and how many held out.
@@ -97,6 +99,8 @@ class Fit:
     unobservable: tuple[str, ...]
     held_out: HeldOut | None
     sigma: tuple[float, float]
+    sigma_said: bool
+    shares: Array
     spread: float
     outliers: tuple[int, ...]
     rows: tuple[int, int]
@@ -232,14 +236,24 @@ class Fit:
                 parts.append(held.radians / held.predicted_radians)
         return min(parts)
 
+    def _fitted(self) -> str:
+        """Say how many numbers were fitted, and how many of those that may move were left as they were."""
+        free = int(self.parameters.free.sum())
+        left = min(len(self.unobservable), free)
+        if left == free:
+            return f"None of {plural(free, 'number')} was seen beyond the noise in"
+        of = f" of {free}" if left else ""
+        return f"{free - left}{of} {'number was' if free == 1 else 'numbers were'} fitted to"
+
     def explain(self) -> str:
         """Tell what was fitted, how well, and what was not seen."""
         used, held = self.rows
         headline = self.headline()
         lines = [
             f"{self.nominal.name}: {headline[0].upper()}{headline[1:]}",
-            f"{int(self.parameters.free.sum())} numbers were fitted to {used} poses ({self.kind}), {held} more "
-            f"{'was' if held == 1 else 'were'} held out; {plural(self.steps, 'step')}. Noise: {_mm(self.sigma[0])}"
+            f"{self._fitted()} {plural(used, 'pose')} ({self.kind}), {held} more "
+            f"{'was' if held == 1 else 'were'} held out; {plural(self.steps, 'step')}. Noise"
+            f"{'' if self.sigma_said else ', as the data show it'}: {_mm(self.sigma[0])}"
             + (f", {_mrad(self.sigma[1])}." if self.kind == "pose" else "."),
         ]
         if self.spread > 1.5:
@@ -248,12 +262,13 @@ class Fit:
                 "(bending, play, joint terms), or the noise is larger than was said. The covariance counts it as noise."
             )
         left = self._left()
-        if left < FAR_LESS:
+        if self.sigma_said and left < FAR_LESS:
             lines.append(
                 f"What is left is {1 / left:z.0f} times less than the noise that was said: numbers held back by "
-                "it may be wrong. Was sigma meant in metres and radians? Without sigma= the noise is found from the "
-                "data."
+                "it may be wrong. Was sigma meant in other units? Where none is said it is found from the data."
             )
+        elif max(self.sigma[: 2 if self.kind == "pose" else 1]) <= NO_NOISE:
+            lines.append("The data hold no noise but rounding, as a simulation's do.")
         if self.outliers:
             which = ", ".join(str(i + 1) for i in self.outliers)
             lines.append(f"Left out as no noise: measurement{'s' if len(self.outliers) > 1 else ''} {which}.")
@@ -269,12 +284,13 @@ class Fit:
                         f"Of {name}, a is the direction {_direction(a)} and b {_direction(b)}, in the base frame with "
                         "all joints at zero."
                     )
-        largest = np.argsort(-np.sqrt(np.diag(self.covariance)) / self.parameters.sizes)[:3]
+        told = np.where(self.shares > MOSTLY_SEEN, np.diag(self.covariance), 0.0)
+        largest = np.argsort(-np.sqrt(told) / self.parameters.sizes)[:3]
         units = ["" if unit == "1" else f" {unit}" for unit in self.parameters.units]
         sure = "; ".join(
             f"{self.parameters.names[k]} to {np.sqrt(self.covariance[k, k]):.1e}{units[k]}"
             for k in largest
-            if self.covariance[k, k] > 0
+            if told[k] > 0
         )
         if sure:
             lines.append(f"Least sure among what was seen: {sure}.")

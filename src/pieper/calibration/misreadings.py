@@ -12,6 +12,7 @@ from pieper.calibration.frames import frame_and_tool, frame_between, tool_betwee
 from pieper.calibration.measurements import Measurements
 from pieper.calibration.model import AxesModel
 from pieper.calibration.reading import Reading
+from pieper.calibration.strange_rows import in_part
 from pieper.calibration.units import of_one_size, units_of
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
@@ -61,6 +62,7 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
             best, least_by = reading, left * reading.freedom
     if best is not None:
         best = _or_another_joint(model, best, _readings(model, q, data, names, length), least_by, length)
+        best = in_part(model, q, data, best, length)
         before, after = missed(model, q, data), missed(model, best.q, best.data)
         raise InputError(
             f"the data miss the nominal arm by {_said(before)} (median), and by {_said(after)} if "

@@ -30,6 +30,8 @@ TESTS = 20
 ROUNDED, DIGITS = 5, 6
 #: Limits that lie further apart than this many half turns, or lengths of the arm, are not drawn from whole.
 DRAWN = 10.0
+#: C and MATLAB tell names apart by their first 63 letters, of which functions' endings take up to fifteen.
+_LONGEST = 48
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 LICENCE = "MIT licence, as pieper itself."
 
@@ -101,9 +103,10 @@ def export(arm: PlannedArm, name: str) -> Export:
         InputError: The name is none a language takes.
         PlanError: The arm cannot be exported.
     """
-    if not isinstance(name, str) or not _WORD.fullmatch(name):
+    if not isinstance(name, str) or not _WORD.fullmatch(name) or len(name) > _LONGEST:
         raise InputError(
-            f"name must be a word of letters, digits and _ that begins with no digit, got {arguments.kind_of(name)}.",
+            f"name must be a word of at most {_LONGEST} letters, digits and _ that begins with no digit, got "
+            f"{arguments.kind_of(name)}.",
             given=name,
         )
     plan = arm.plan
@@ -117,7 +120,7 @@ def export(arm: PlannedArm, name: str) -> Export:
     coupling = np.zeros(0) if plan.chain.coupling is None else plan.chain.coupling
     said = np.ascontiguousarray(np.concatenate([plan.chain.links.ravel(), plan.limits.ravel(), coupling.ravel()]))
     header = (
-        f"Inverse and forward kinematics of {plan.name}: every solution of a pose.",
+        f"Inverse and forward kinematics of {' '.join(plan.name.split())}: every solution of a pose.",
         f"Written by {made_by} from its own kernel, family {plan.family}; do not edit.",
         f"Links, limits and couplings: sha256 {hashlib.sha256(said.tobytes()).hexdigest()[:16]}. Metres and radians.",
         f"Source of the numbers: {' '.join((arm.description.source or 'not said').split())}",

@@ -232,9 +232,12 @@ class ReachMap:
                 f"The whole pose was asked, of which the arm's {plural(plan.n, 'joint')} hold {plan.n} of 6 numbers. "
             )
         if plan.task == "pose" and plan.reduction.fill:
+            # coupled joints of which one is to spare have no inverse for the place alone
+            coupled = plan.chain.coupling is not None
+            instead = "give orientations that it can hold" if coupled else 'task="position" asks for the place alone'
             return (
                 f"The whole pose was asked, of which the arm's {plural(plan.n, 'joint')} hold {plan.rank} of 6 "
-                'numbers: task="position" asks for the place alone. '
+                f"numbers: {instead}. "
             )
         if plan.task == "pose" or self.plan.n >= 6:
             return ""

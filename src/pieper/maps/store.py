@@ -173,7 +173,7 @@ def refuse_too_much(voxels: int, turns: int, *, measure: bool, stored: bool) -> 
     """Refuse a map of so many voxels and orientations that it would fill the machine, before any of it is made.
 
     Raises:
-        InputError: The orientations alone are too much, or the map is and has no store.
+        InputError: The orientations alone are too much, the map is and has no store, or it is more than the memory.
     """
     rotations = turns * 9 * 8
     if rotations > MOST_BYTES:
@@ -187,6 +187,23 @@ def refuse_too_much(voxels: int, turns: int, *, measure: bool, stored: bool) -> 
             "store=, a larger step or fewer orientations.",
             bytes=size,
         )
+    room = _memory()
+    if size > room:
+        raise InputError(
+            f"this map has {_said(voxels)} voxels with {plural(turns, 'orientation')} each, {_gigabytes(size)}, and "
+            f"this machine has {_gigabytes(room)} of memory, which a store does not replace. Give a larger step, fewer "
+            "orientations, or parts of the box one by one; lengths are metres here, millimetres on the command line.",
+            bytes=size,
+            room=room,
+        )
+
+
+def _memory() -> int:
+    """Return how many bytes of memory this machine has; without end where it does not say."""
+    try:
+        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, ValueError, OSError):
+        return 1 << 62
 
 
 def _said(number: int) -> str:

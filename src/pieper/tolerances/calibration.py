@@ -51,3 +51,12 @@ COST_ROUNDING = 1e-12
 FAR_LESS = 0.2
 #: Poses held out that are enough for that to be no chance.
 ENOUGH_HELD = 5
+#: Noise (m, rad) found in the data below which they are made and not measured.
+NO_NOISE = 1e-8
+#: A number of which the measurements see less than this part has no error that is its own.
+MOSTLY_SEEN = 0.5
+#: Of rows that may be said in two units this part must be explained by one or the other.
+MOST_ROWS = 0.9
+#: A row that misses the nominal arm so many times as far as rows usually do, and by more than what is suspicious, is no
+#: noise of that arm.
+FAR_BEYOND = 10.0
