@@ -14,6 +14,8 @@ import pytest
 import pieper
 from oracle.browser import free_port
 
+from . import slow_machine
+
 SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
 #: Milliseconds; generous, since a story must not fail because the machine is busy.
 PATIENCE = 120_000
@@ -51,8 +53,19 @@ class Server:
         return self.app.state.sessions
 
 
+@pytest.fixture(scope="session", autouse=True)
+def slow_answers():
+    """On a slow machine (PIEPER_SLOW) every server that is started here, a script's too, answers late."""
+    with pytest.MonkeyPatch.context() as patch:
+        if slow_machine.seed():
+            from pieper.workbench import server
+
+            patch.setattr(server, "create_app", slow_machine.slowly(server.create_app))
+        yield
+
+
 @pytest.fixture(scope="session")
-def server():
+def server(slow_answers):
     served = Server()
     yield served
     served.stop()
@@ -77,6 +90,7 @@ class Workbench:
         self.requests: list[str] = []
         self.errors: list[str] = []
         page.set_default_timeout(PATIENCE)
+        slow_machine.throttle(page)
         page.on("request", lambda r: self.requests.append(r.url))
         page.on("websocket", lambda w: self.requests.append(w.url))
         page.on("console", lambda m: self.errors.append(m.text) if m.type in ("error", "warning") else None)

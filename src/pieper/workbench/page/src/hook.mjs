@@ -18,7 +18,7 @@ import { looksDrawn } from './scene/looks.mjs';
 import { ellipsoidShown } from './scene/ellipsoid.mjs';
 import { go } from './dock.mjs';
 import { snapshot } from './sharing.mjs';
-import { counts } from './solving.mjs';
+import { counts, settled } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
 import * as voxels from './scene/voxels.mjs';
 
@@ -50,6 +50,7 @@ export function expose() {
     world: () => structuredClone(state.world),
     framesDrawn: () => framesDrawn(),
     answers: () => counts.answers,
+    settled: () => settled(),
     trace: () => traceLength(),
     voxels: () => voxels.size(),
     cloud: () => cloud.size(),

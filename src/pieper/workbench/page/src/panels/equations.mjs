@@ -151,7 +151,9 @@ export const equations = {
       if (asked === key) return;
       asked = key;
       setText(note, 'Deriving …');
+      blocks = [];
       replace(body);
+      replace(values);
       try {
         const [k, answer] = await Promise.all([
           katex(),
@@ -208,8 +210,11 @@ export const equations = {
     /** The derivation with the present numbers put in: what its formulas give at the present pose, branch by branch. */
     const evaluate = debounce(async () => {
       if (panel.hidden || which !== 'inverse' || !body.childElementCount) return;
+      const T = state.frames.at(-1);
       try {
-        const { rows } = await askArm('formulas', { T: state.frames.at(-1) });
+        const { rows } = await askArm('formulas', { T });
+        if (T !== state.frames.at(-1)) return;
+        values.classList.remove('stale');
         replace(values, rows.length && which === 'inverse' ? valueTable(rows) : null);
       } catch {
         replace(values);
@@ -221,6 +226,7 @@ export const equations = {
     }, 120);
     on('q', follow);
     on('panel', follow);
+    on('q', () => values.classList.add('stale'));
     on('q', evaluate);
     on('units', evaluate);
     on('panel', refresh);
