@@ -30,15 +30,24 @@ def throttle(page) -> None:
         page.context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": THROTTLE})
 
 
+class Line:
+    """The line from a server to its pages: how late it is, and whether it is held, so that nothing arrives."""
+
+    def __init__(self, late: tuple[float, float] = (0.0, 0.0)) -> None:
+        self.late = late
+        self.held = False
+        self.chance = random.Random(seed())
+
+
 class Late:
     """An ASGI application whose WebSocket messages arrive late, in the order in which they were sent.
 
     Sending itself does not wait: what is late is what the page hears, as where the line is long.
     """
 
-    def __init__(self, app: ASGIApp) -> None:
+    def __init__(self, app: ASGIApp, line: Line) -> None:
         self.app = app
-        self.chance = random.Random(seed())
+        self.line = line
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass everything on; the messages of a WebSocket after a while."""
@@ -51,6 +60,8 @@ class Late:
             while True:
                 due, message = await underway.get()
                 await asyncio.sleep(max(due - time.monotonic(), 0))
+                while self.line.held:
+                    await asyncio.sleep(0.01)
                 try:
                     await send(message)
                 except Exception:  # the page is gone, and with it everybody who would hear the rest
@@ -58,7 +69,7 @@ class Late:
 
         async def late(message: Message) -> None:
             if message["type"] == "websocket.send":
-                underway.put_nowait((time.monotonic() + self.chance.uniform(*LATE), message))
+                underway.put_nowait((time.monotonic() + self.line.chance.uniform(*self.line.late), message))
             else:
                 await send(message)
 
@@ -74,7 +85,7 @@ def slowly(create_app):
 
     def create(**options):
         app = create_app(**options)
-        app.add_middleware(Late)
+        app.add_middleware(Late, line=Line(LATE))
         return app
 
     return create
