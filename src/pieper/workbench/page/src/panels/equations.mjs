@@ -137,12 +137,31 @@ export const equations = {
     const tagOf = (b) => (b.number === undefined ? '' : ` \\tag{${b.number}}`);
     const source = () =>
       blocks.map((b) => (b.kind === 'equation' ? `\\[ ${latexOf(b)}${tagOf(b)} \\]` : sentence(b.pieces))).join('\n\n');
+    /** A formula wider than its place fades out at the edge and is scrolled by itself, with the keyboard too. */
+    function measure() {
+      const all = [...body.querySelectorAll('.formula')];
+      for (const el of all) el.classList.remove('broad');
+      const needs = all.map((el) => (el.scrollWidth > el.clientWidth ? el.scrollWidth : 0));
+      all.forEach((el, i) => {
+        el.classList.toggle('broad', needs[i] > 0);
+        el.style.setProperty('--across', `${needs[i]}px`);
+        if (needs[i]) el.tabIndex = 0;
+        else el.removeAttribute('tabindex');
+      });
+    }
+    let across = 0;
+    new ResizeObserver(() => {
+      if (body.clientWidth === across) return;
+      across = body.clientWidth;
+      measure();
+    }).observe(body);
     function typesetAll(k) {
       live = [];
       replace(
         body,
         blocks.map((b) => block(k, b)),
       );
+      measure();
       update();
     }
     async function refresh() {
