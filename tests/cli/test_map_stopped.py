@@ -21,9 +21,7 @@ PATIENCE = 120.0
 def begun(*more, stderr=subprocess.PIPE):
     # a parent that ignores Ctrl-C hands that down; here it must arrive
     restore = lambda: signal.signal(signal.SIGINT, signal.default_int_handler)  # noqa: E731
-    return subprocess.Popen(
-        [*RUN, *more], stderr=stderr, stdout=subprocess.PIPE, text=True, preexec_fn=restore
-    )
+    return subprocess.Popen([*RUN, *more], stderr=stderr, stdout=subprocess.PIPE, text=True, preexec_fn=restore)
 
 
 def test_an_interrupted_map_says_how_many_tiles_it_keeps_and_goes_on(tmp_path):

@@ -20,8 +20,8 @@ COSTS = ("motion", "time")
 AXES = ("x", "y", "z")
 #: Poses of a spline that stands for a route, tried from few to many.
 KNOTS = (4, 8, 16, 32, 64)
-#: What postures are called where an arm has no names for them: a number among the rows of one pose, which is no branch. An
-#: arm with joints to spare has thousands.
+#: What postures are called where an arm has no names for them: a number among the rows of one pose, which is no branch.
+#: An arm with joints to spare has thousands.
 NUMBERED = re.compile(r"solution \d+")
 UNNAMED = "all postures"
 Progress = Callable[[dict[str, Any]], None]
