@@ -14,6 +14,8 @@ import pytest
 import pieper
 from oracle.browser import free_port
 
+from . import slow_machine
+
 SHOTS = Path(__file__).resolve().parents[2] / "out" / "browser"
 #: Milliseconds; generous, since a story must not fail because the machine is busy.
 PATIENCE = 120_000
@@ -22,8 +24,9 @@ PATIENCE = 120_000
 class Server:
     """The workbench in a thread of this process; can be stopped and started again on the same port."""
 
-    def __init__(self, arm: pieper.Arm | None = None) -> None:
+    def __init__(self, arm: pieper.Arm | None = None, line: slow_machine.Line | None = None) -> None:
         self.arm = arm
+        self.line = line
         self.port = free_port()
         self.url = f"http://localhost:{self.port}/"
         self.start()
@@ -34,6 +37,8 @@ class Server:
         from pieper.workbench.server import LARGEST_FRAME, create_app
 
         self.app = create_app(start=self.arm)
+        if self.line is not None:
+            self.app.add_middleware(slow_machine.Late, line=self.line)
         config = uvicorn.Config(self.app, port=self.port, log_level="error", ws_max_size=LARGEST_FRAME)
         config.timeout_graceful_shutdown = 1
         self._server = uvicorn.Server(config)
@@ -51,8 +56,19 @@ class Server:
         return self.app.state.sessions
 
 
+@pytest.fixture(scope="session", autouse=True)
+def slow_answers():
+    """On a slow machine (PIEPER_SLOW) every server that is started here, a script's too, answers late."""
+    with pytest.MonkeyPatch.context() as patch:
+        if slow_machine.seed():
+            from pieper.workbench import server
+
+            patch.setattr(server, "create_app", slow_machine.slowly(server.create_app))
+        yield
+
+
 @pytest.fixture(scope="session")
-def server():
+def server(slow_answers):
     served = Server()
     yield served
     served.stop()
@@ -77,6 +93,7 @@ class Workbench:
         self.requests: list[str] = []
         self.errors: list[str] = []
         page.set_default_timeout(PATIENCE)
+        slow_machine.throttle(page)
         page.on("request", lambda r: self.requests.append(r.url))
         page.on("websocket", lambda w: self.requests.append(w.url))
         page.on("console", lambda m: self.errors.append(m.text) if m.type in ("error", "warning") else None)
@@ -108,7 +125,8 @@ class Workbench:
         field.press("Enter")
 
     def text(self, testid: str) -> str:
-        return self.page.get_by_test_id(testid).inner_text()
+        """Return what stands there, once it is of the newest question."""
+        return self.page.locator(f'[data-testid="{testid}"]:not([aria-busy=true])').inner_text()
 
     def arm(self, name: str) -> None:
         self.page.get_by_test_id("catalog").select_option(name)
@@ -155,8 +173,17 @@ class Workbench:
     def value(self, expression: str):
         return self.page.evaluate(expression)
 
+    def answered(self, rows: int = 1) -> None:
+        """Wait for all that is said of the target as it stands, self-motions and nearest pose included."""
+        self.until("n => workbench.settled && workbench.solutions.rows.length >= n", rows)
+
+    def rest(self) -> None:
+        """Wait until every question has its answer, nothing followed from it for a while and the address holds it."""
+        self.until("workbench.resting")
+
     def settle(self) -> None:
-        """Wait until the picture has come to rest."""
+        """Wait until every question has its answer and the picture has come to rest."""
+        self.rest()
         before, drawn = -1, self.value("workbench.pictures")
         while before != drawn:
             before = drawn

@@ -101,7 +101,7 @@ def test_a_script_reads_the_program_and_the_world_that_a_person_made(beside):
 def test_a_hand_on_the_handles_another_arm_and_a_second_page_are_read(beside, browser):
     script, page = beside
     page.tab("Inverse")
-    page.until("workbench.solutions && workbench.solutions.rows.length > 0")
+    page.answered()
     page.settle()
     x, y = page.value("workbench.handles()")["move-x"]
     page.page.mouse.move(x, y)
@@ -134,7 +134,7 @@ def test_the_screen_as_a_script_computes_what_is_on_the_screen(bench, capsys):
     bench.fill("dh-2-a", 215)
     bench.joint_steps([20, 60, -150, 10, 40, 25], [40, 60, -150, 10, 40, 25])
     bench.tab("Inverse")
-    bench.until("workbench.solutions && workbench.solutions.rows.length > 0")
+    bench.answered()
     bench.tab("Share")
     bench.until("document.querySelector('[data-testid=python]').value.includes('program.motion()')")
     text = bench.page.get_by_test_id("python").input_value()

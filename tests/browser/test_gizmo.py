@@ -15,7 +15,7 @@ def target(bench) -> np.ndarray:
 def ready(bench) -> None:
     bench.joints([10, 70, -140, 25, 50, 30])
     bench.tab("Inverse")
-    bench.until("workbench.solutions && workbench.solutions.rows.length > 0")
+    bench.answered()
     bench.settle()
 
 

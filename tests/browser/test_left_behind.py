@@ -49,7 +49,7 @@ def test_what_cannot_be_read_stays_as_it_was_typed_until_it_is_put_right(bench, 
     assert field.get_attribute("aria-invalid") == "true"
     text = field.input_value()
     change(bench)
-    bench.page.wait_for_timeout(150)
+    bench.rest()
     assert field.input_value() == text and field.get_attribute("aria-invalid") == "true"
     field.fill(before)
     assert field.get_attribute("aria-invalid") is None
@@ -198,10 +198,10 @@ def test_an_entry_that_was_refused_is_not_the_next_states(bench):
     page = bench.page
     bench.tab("World")
     page.get_by_test_id("add-object-box").click()
-    page.wait_for_timeout(900)  # the address holds it
+    bench.rest()  # the address holds it
     kept = bench.value("location.hash")
     bench.fill("world-1-size-0", 33)
-    page.wait_for_timeout(900)
+    bench.rest()
     bench.fill("world-1-size-0", "5..a")
     bench.value(f"(location.hash = '{kept}')")
     bench.until("workbench.history[0] === 'open a link'")

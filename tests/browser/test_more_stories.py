@@ -154,7 +154,7 @@ def test_the_server_restarted_under_an_open_page_loses_nothing(people, server):
     one.until("document.querySelector('[data-testid=online]').textContent === ''")
     assert one.value("workbench.table") == table
     one.tab("Inverse")
-    one.until("workbench.solutions && workbench.solutions.rows.length === 8")
+    one.until("workbench.settled && workbench.solutions.rows.length === 8")
     one.expected_errors = [e for e in one.errors if "WebSocket" in e or "ERR_CONNECTION" in e]
 
 
@@ -243,7 +243,7 @@ def test_arms_of_every_family_open_and_move(bench):
     for name in names:
         bench.arm(name)
         arm = pieper.load(name)
-        bench.until("workbench.solutions && workbench.solutions.rows.length > 0")
+        bench.answered()
         tool = np.array(bench.value("workbench.frames.at(-1)"))
         assert np.allclose(tool, arm.fk(bench.value("workbench.q")).ravel(), atol=1e-9)
         miss = np.linalg.norm(

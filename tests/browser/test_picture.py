@@ -29,7 +29,7 @@ def test_names_stand_beside_what_they_name_and_never_over_each_other(bench):
     for view, posture in itertools.product(VIEWS, ([-22, 71, -184, -5, -34, 5], [0, 90, -180, 0, 0, 0])):
         bench.joints(posture)
         bench.button(view)
-        bench.page.wait_for_timeout(250)
+        bench.settle()
         names = bench.value("workbench.labels")
         assert [name["text"] for name in names] == ["base", *"123456", "tool"]
         assert overlapping(bench) == []

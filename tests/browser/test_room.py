@@ -147,7 +147,7 @@ def test_the_nearest_two_bodies_are_shown_live(bench):
     arm = pieper.load("denso-vp6242")
     box = bench.value("workbench.world[0]")
     scene = pieper.Scene([pieper.Box(np.reshape(box["T"], (4, 4)), box["size"], box["name"])])
-    page.wait_for_timeout(300)
+    bench.rest()
     said = arm.distance(np.array(bench.value("workbench.q")), scene)
     assert abs(bench.value("workbench.clearance.metres") - float(said)) < 1e-9
     assert f"{float(said) * 1000:.2f} mm apart" in bench.text("clearance")

@@ -70,12 +70,12 @@ def test_a_reload_gives_back_exactly_the_posture(bench):
     bench.until("Math.abs(workbench.frames.at(-1)[11] - 0.42) < 1e-9")
     bench.joints([10, 50, -140, 10, 40, 25])
     bench.tab("Inverse")
-    bench.until("workbench.solutions && workbench.solutions.rows.length > 0")
+    bench.answered()
     q, target = bench.value("workbench.q"), bench.value("workbench.target")
     bench.page.reload()
     bench.page.wait_for_selector("html[data-ready=yes]")
-    bench.until("workbench.solutions && workbench.solutions.rows.length > 0")
-    bench.page.wait_for_timeout(400)
+    bench.answered()
+    bench.rest()
     assert bench.value("workbench.q") == q and bench.value("workbench.target") == target
 
 
@@ -88,18 +88,17 @@ def test_a_link_a_task_and_a_reconnection_leave_the_posture_alone(people, server
     one.joints([10, 50, -140, 10, 40, 25])
     q = one.value("workbench.q")
     one.tab("Inverse")
-    answers = one.value("workbench.answers")
+    one.answered()
     one.page.get_by_label("Task").select_option("position")
-    one.until("n => workbench.answers > n", answers)
-    one.page.wait_for_timeout(300)
+    one.rest()
     assert one.value("workbench.q") == q, "another task is no other target"
     one.page.get_by_label("Task").select_option("")
     server.stop()
     one.page.get_by_text("Server away").wait_for()
     server.start()
-    answers = one.value("workbench.answers")
-    one.until("n => workbench.answers > n", answers)
-    one.page.wait_for_timeout(300)
+    one.page.locator("[data-testid=online]:not(.away)").wait_for(state="attached")
+    one.answered()
+    one.rest()
     assert one.value("workbench.q") == q, "a new connection is no other target"
     one.tab("Share")
     one.until("document.querySelector('[data-testid=link]').value.includes('#s=')")
@@ -107,8 +106,8 @@ def test_a_link_a_task_and_a_reconnection_leave_the_posture_alone(people, server
     one.page.get_by_text("Copied").wait_for()
     other = people().open(one.value("navigator.clipboard.readText()").removeprefix(one.url))
     other.tab("Inverse")
-    other.until("workbench.solutions && workbench.solutions.rows.length > 0")
-    other.page.wait_for_timeout(300)
+    other.answered()
+    other.rest()
     assert other.value("workbench.q") == q
     one.expected_errors = [e for e in one.errors if "WebSocket" in e or "ERR_CONNECTION" in e]
 
@@ -177,7 +176,7 @@ def test_a_pose_typed_with_the_digits_shown_is_solved_to_those_digits(bench, nam
     bench.joints(np.degrees(q))
     T = arm.fk(np.array(bench.value("workbench.q")))
     bench.tab("Inverse")
-    bench.until("workbench.solutions && workbench.solutions.rows.length > 0")
+    bench.answered()
     if notation == "matrix":
         bench.button("Matrix")
         shown = T.copy()
@@ -187,7 +186,7 @@ def test_a_pose_typed_with_the_digits_shown_is_solved_to_those_digits(bench, nam
     else:
         for i, value in enumerate(pieper.read_pose(T, "rpy", degrees=True, mm=True)):
             bench.fill(f"target-{i}", f"{value:.2f}")
-    bench.until("workbench.solutions?.T.every((v, i) => v === workbench.target[i])")
+    bench.answered()
     rows = np.array([r["q"] for r in bench.value("workbench.solutions.rows")])
     reached = arm.fk(rows)
     assert np.abs(reached[:, :3, 3] - T[:3, 3]).max() < 3e-5, "within the digits"
@@ -203,7 +202,7 @@ def test_a_pose_nothing_reaches_is_offered_the_nearest_posture(bench):
     bench.tab("Inverse")
     bench.fill("target-3", "20")
     near = bench.page.get_by_test_id("ik-nearest")
-    near.get_by_text("Nearest").wait_for()
+    bench.until("workbench.settled")
     text = bench.text("ik-verdict").lower()
     assert text.count("out of reach") == 1, "said once"
     near.get_by_role("button", name="Go there").click()
@@ -231,7 +230,7 @@ def test_an_arm_with_coupled_joints_is_shown_and_solved(bench, tmp_path):
     assert np.allclose(bench.value("workbench.frames.at(-1)"), arm.fk(q).ravel(), atol=1e-12)
     assert "chain −90" in bench.text("joint-3")
     bench.tab("Inverse")
-    bench.until("workbench.solutions && workbench.solutions.rows.length > 0")
+    bench.answered()
     rows = np.array([r["q"] for r in bench.value("workbench.solutions.rows")])
     assert np.abs(np.angle(np.exp(1j * (rows - q)))).max(1).min() < 1e-9
     for k, frame in enumerate(json.loads(json.dumps(bench.value("workbench.frames")))):

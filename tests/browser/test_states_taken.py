@@ -10,7 +10,7 @@ def given_link(people) -> tuple[str, list[float]]:
     other = people().open()
     other.arm("abb-irb140")
     other.joints([11, 22, 33, 10, 40, 25])
-    other.page.wait_for_timeout(900)
+    other.rest()
     return other.value("location.hash"), other.value("workbench.q")
 
 
@@ -18,7 +18,7 @@ def test_a_link_put_into_the_address_of_an_open_page_is_opened_and_can_be_undone
     hash_, posture = given_link(people)
     bench = people().open()
     bench.joints([20, 60, -150, 10, 40, 25])
-    bench.page.wait_for_timeout(900)
+    bench.rest()
     before = bench.value("[workbench.table, workbench.q]")
     bench.value(f"(location.hash = {json.dumps(hash_)})")
     bench.until("workbench.table.name === 'abb-irb140'")
@@ -30,7 +30,7 @@ def test_a_link_put_into_the_address_of_an_open_page_is_opened_and_can_be_undone
     # the browser's own way back leads to the state before, too
     bench.page.keyboard.press("Control+Shift+z")
     bench.until("workbench.table.name === 'abb-irb140'")
-    bench.page.wait_for_timeout(900)
+    bench.rest()
     bench.page.go_back()
     bench.until("workbench.table.name === 'denso-vp6242'")
     assert bench.value("[workbench.table, workbench.q]")[1] == before[1]

@@ -99,13 +99,13 @@ def test_a_walk_undone_redone_reloaded_and_shared_is_the_same(people, seed):
     # the panels say their first values when they are first seen; that is no step of a person
     for tab in ("Inverse", "Path", "Move"):
         bench.tab(tab)
-    bench.until("workbench.solutions !== null")
+    bench.until("workbench.settled")
     begun, states, done = said(bench), [], []
     for _ in range(14):
         able = walker(bench, rng)
         name = rng.choice(list(able))
         able[name]()
-        bench.page.wait_for_timeout(350)  # what follows from it (the arm that goes to its target) is a part of it
+        bench.rest()  # what follows from it (the arm that goes to its target) is a part of it
         done.append(name)
         states.append(said(bench))
     ended = states[-1]
@@ -113,7 +113,7 @@ def test_a_walk_undone_redone_reloaded_and_shared_is_the_same(people, seed):
     assert said(bench) == begun, done
     assert history(bench, "Redo") == undone
     assert said(bench) == ended, done
-    bench.page.wait_for_timeout(900)  # the address follows
+    bench.rest()  # the address follows
     bench.page.reload()
     bench.page.wait_for_selector("html[data-ready=yes]")
     bench.settle()

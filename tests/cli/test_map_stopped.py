@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
+import pty
 import signal
 import subprocess
 import sys
@@ -15,12 +18,10 @@ RUN = [sys.executable, "-m", "pieper", "map", *ASK]
 PATIENCE = 120.0
 
 
-def begun(*more):
+def begun(*more, stderr=subprocess.PIPE):
     # a parent that ignores Ctrl-C hands that down; here it must arrive
     restore = lambda: signal.signal(signal.SIGINT, signal.default_int_handler)  # noqa: E731
-    return subprocess.Popen(
-        [*RUN, *more], stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True, preexec_fn=restore
-    )
+    return subprocess.Popen([*RUN, *more], stderr=stderr, stdout=subprocess.PIPE, text=True, preexec_fn=restore)
 
 
 def test_an_interrupted_map_says_how_many_tiles_it_keeps_and_goes_on(tmp_path):
@@ -42,10 +43,18 @@ def test_an_interrupted_map_says_how_many_tiles_it_keeps_and_goes_on(tmp_path):
 
 
 def test_without_a_folder_it_says_that_nothing_is_kept():
-    run = begun()
-    time.sleep(1.5)
+    ours, terminal = pty.openpty()
+    run = begun(stderr=terminal)
+    os.close(terminal)
+    # on a terminal it says how far it is: it has begun, however long that took
+    words = [os.read(ours, 4096)]
     run.send_signal(signal.SIGINT)
-    _, said = run.communicate(timeout=PATIENCE)
+    with contextlib.suppress(OSError):  # the other end of a terminal is closed with an error
+        while words[-1]:
+            words.append(os.read(ours, 4096))
+    os.close(ours)
+    run.communicate(timeout=PATIENCE)
+    said = b"".join(words).decode()
     if run.returncode == 0:
         pytest.skip("the map was done before it could be interrupted")
     assert run.returncode == 130 and "interrupted" in said and "Traceback" not in said

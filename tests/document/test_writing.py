@@ -109,7 +109,7 @@ def test_links_pipes_devices_and_rights_stay_what_they_are(writers, tmp_path):
     reader = threading.Thread(target=lambda: got.append(pipe.read_bytes()))
     reader.start()
     write(pipe)
-    reader.join(10)
+    reader.join(120)
     assert got == [(tmp_path / "real.csv").read_bytes()]
     with pieper.whole_file(os.devnull) as out:
         out.write(b"nothing")

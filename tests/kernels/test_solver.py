@@ -168,12 +168,17 @@ def test_the_interpreter_runs_on_while_many_poses_are_solved():
 
     other = threading.Thread(target=tick)
     other.start()
-    before = len(ticks)
-    solver(chain).many(T, 1)
-    during = len(ticks) - before
+    most = 0
+    # a solver that kept the interpreter to itself would let one through at its end, and on a busy machine few come
+    for _ in range(50):
+        before = len(ticks)
+        solver(chain).many(T, 1)
+        most = max(most, len(ticks) - before)
+        if most > 5:
+            break
     done.set()
     other.join()
-    assert during >= 1
+    assert most > 5
 
 
 def test_ctrl_c_stops_the_work():

@@ -50,12 +50,12 @@ def apart(call):
 
 
 def talk(story):
-    return apart(lambda: asyncio.run(asyncio.wait_for(story, 120)))
+    return apart(lambda: asyncio.run(asyncio.wait_for(story, 600)))
 
 
 def test_the_line_stays_alive_while_an_answer_is_slow_and_messages_wait_behind_it(monkeypatch):
     def slow(arm, message):
-        time.sleep(3)
+        time.sleep(6)
         return {}
 
     monkeypatch.setitem(session.QUICK, "formulas", slow)
@@ -70,7 +70,8 @@ def test_the_line_stays_alive_while_an_answer_is_slow_and_messages_wait_behind_i
             assert page.alive and all(a is not None and a["ok"] for a in answers)
             assert [len(page.answers[seq]) for seq in asked] == [1] * len(asked)
 
-    with server(ws_ping_interval=0.4, ws_ping_timeout=0.8) as port:
+    # a line without signs of life for as long as the slow answer takes is given up; a busy machine gives one in time
+    with server(ws_ping_interval=0.4, ws_ping_timeout=4.0) as port:
         talk(story(port))
 
 
@@ -78,7 +79,7 @@ def test_long_work_of_others_keeps_no_answer_waiting_and_what_is_refused_says_wh
     done = threading.Event()
 
     def report(arm, message, progress, stop):
-        done.wait(20)
+        done.wait(100)
         return {}
 
     monkeypatch.setitem(long_work.KINDS, "report", report)
@@ -90,7 +91,7 @@ def test_long_work_of_others_keeps_no_answer_waiting_and_what_is_refused_says_wh
             for page in pages:
                 await page.answer(await page.say("arm", {"table": table_from_arm(ARM)}))
             reports = [await page.say("report", {"q": [0.0] * 6}) for page in pages]
-            answer = await pages[-1].answer(await pages[-1].say("ik", {"T": T}), 10)
+            answer = await pages[-1].answer(await pages[-1].say("ik", {"T": T}), 60)
             assert answer is not None and len(answer["rows"]) == 8, "twelve reports are being written"
             done.set()
             for page, seq in zip(pages, reports, strict=True):

@@ -48,6 +48,24 @@ def test_the_map_is_what_the_solver_says_of_poses_turned_so(arm, asked, found):
         assert open_now == set(there.labels)
 
 
+def test_postures_without_names_are_one_branch_and_not_one_for_each_row_of_a_pose():
+    """An arm with a joint to spare has thousands of rows in a map; their numbers name nothing that goes on."""
+    panda = pieper.load("franka-panda")
+    T = panda.fk([0, -0.785, 0, -2.356, 0, 1.571, 0.785])
+    asked = {"T0": T.ravel().tolist(), "T1": (pieper.pose(0, 0, -0.1) @ T).ravel().tolist(), "n": 20}
+    found = routes.run(panda, asked | {"free": {"turn": "free"}}, nothing, STOP)
+    assert found["found"] and found["branches"] == [routes.UNNAMED] and set(found["labels"]) == {0}
+    known = found["map"]
+    assert known["branches"] == [routes.UNNAMED]
+    cells = np.unpackbits(np.frombuffer(base64.b64decode(known["open"][0]), np.uint8))
+    shape = len(known["s"]), len(known["turn"])
+    cells = cells[: shape[0] * shape[1]].reshape(shape)
+    path, rng = pieper.line(T, np.reshape(asked["T1"], (4, 4)), n=shape[0]), np.random.default_rng(1)
+    for i, k in zip(rng.integers(shape[0], size=20), rng.integers(shape[1], size=20), strict=True):
+        reached = bool(len(panda.ik(pieper.Freedom().turned(path[i], known["turn"][k]))))
+        assert reached or not cells[i, k]
+
+
 def test_an_end_is_turned_on_its_branch_to_the_nearest_whole_turns(arm, asked, found):
     branch = found["branches"][found["labels"][0]]
     for turn in np.radians([-100, -20, 35, 170]):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import re
 import threading
 from collections.abc import Callable
 from typing import Any
@@ -19,6 +20,10 @@ COSTS = ("motion", "time")
 AXES = ("x", "y", "z")
 #: Poses of a spline that stands for a route, tried from few to many.
 KNOTS = (4, 8, 16, 32, 64)
+#: What postures are called where an arm has no names for them: a number among the rows of one pose, which is no branch.
+#: An arm with joints to spare has thousands.
+NUMBERED = re.compile(r"solution \d+")
+UNNAMED = "all postures"
 Progress = Callable[[dict[str, Any]], None]
 
 
@@ -70,8 +75,9 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
             known = None
     if stop.is_set():
         return {"stopped": True}
-    labels = route.labels
-    branches = list(dict.fromkeys([*(known.branches if known is not None else ()), *labels]))
+    labels = [_told(label) for label in route.labels]
+    packed = None if known is None else _packed(known)
+    branches = list(dict.fromkeys([*(packed["branches"] if packed is not None else ()), *labels]))
     at = {label: k for k, label in enumerate(branches)}
     return {
         "verdict": route.verdict.name,
@@ -86,15 +92,24 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
         "branches": branches,
         "cost": float(route.cost) if route.found else None,
         "bound": float(route.bound),
-        "map": None if known is None else _packed(known),
+        "map": packed,
         "blocked": None if route.blocked is None else _blocked(route.blocked),
     }
 
 
 def _packed(known: Any) -> dict[str, Any]:
     """Return a map with its open cells as bits, one string a branch: station after station, turn after turn."""
-    bits = [base64.b64encode(np.packbits(cells.ravel()).tobytes()).decode("ascii") for cells in known.open]
-    return {"s": known.s.tolist(), "turn": known.turn.tolist(), "branches": list(known.branches), "open": bits}
+    open_at: dict[str, npt.NDArray[np.bool_]] = {}
+    for name, cells in zip(known.branches, known.open, strict=True):
+        told = _told(name)
+        open_at[told] = open_at[told] | cells if told in open_at else cells
+    bits = [base64.b64encode(np.packbits(cells.ravel()).tobytes()).decode("ascii") for cells in open_at.values()]
+    return {"s": known.s.tolist(), "turn": known.turn.tolist(), "branches": list(open_at), "open": bits}
+
+
+def _told(label: str) -> str:
+    """Return the name of a branch, one for all that have only numbers."""
+    return UNNAMED if NUMBERED.fullmatch(label) else label
 
 
 def _blocked(blocked: Any) -> dict[str, Any]:
@@ -114,7 +129,7 @@ def others(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: t
     if route.blocked is not None:
         return {"relaxations": [str(r) for r in route.blocked.relaxations], "alternatives": []}
     ways = [
-        {"branch": a.branch, "cost": float(a.cost), "q": a.q[0].tolist(), "turn": float(a.turn[0])}
+        {"branch": _told(a.branch), "cost": float(a.cost), "q": a.q[0].tolist(), "turn": float(a.turn[0])}
         for a in route.alternatives
     ]
     return {"relaxations": [], "alternatives": ways}
@@ -135,7 +150,7 @@ def posture(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     labels = np.array(solutions.labels)[gap.argmin(1)]
     mine = np.flatnonzero(labels == wanted) if wanted in labels else np.arange(len(rows))
     best = mine[int(np.argmin(np.linalg.norm(rows[mine] - near, axis=1)))]
-    return {"q": rows[best].tolist(), "label": str(labels[best]), "why": ""}
+    return {"q": rows[best].tolist(), "label": _told(str(labels[best])), "why": ""}
 
 
 def to_program(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: threading.Event) -> dict[str, Any]:

@@ -115,7 +115,8 @@ export function bar(root) {
   tell('history');
   on(['catalog', 'table'], list);
   on('plan', () => {
-    setText(what, [countWords(state.plan), sentence(state.plan)].filter(Boolean).join('. ').replace('..', '.'));
+    const said = [countWords(state.plan), sentence(state.plan)].filter(Boolean).join('. ').replace('..', '.');
+    setText(what, state.plan ? said : 'Looking how it is solved …');
     what.title = state.plan?.explain ?? '';
   });
   on('online', (yes) => {

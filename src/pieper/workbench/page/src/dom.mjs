@@ -71,7 +71,7 @@ export const field = (label, ...controls) =>
 /** Call f at most once a frame. */
 export function perFrame(f) {
   let asked = false;
-  return () => {
+  const soon = () => {
     if (!asked) {
       asked = true;
       requestAnimationFrame(() => {
@@ -80,6 +80,8 @@ export function perFrame(f) {
       });
     }
   };
+  soon.now = f; // where nothing stands there yet
+  return soon;
 }
 
 /** Call f at once, and again at most every `ms` while it is asked for, the last time with what was asked last. */

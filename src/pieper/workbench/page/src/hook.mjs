@@ -1,6 +1,7 @@
 // What the page says of itself to a test: what is drawn, how often, and where things are on the screen. It changes nothing.
 import { state } from './store.mjs';
 import { frames } from './kinematics.mjs';
+import { underway } from './link.mjs';
 import { convert } from './convert.mjs';
 import { read } from './expression.mjs';
 import { block } from './clipboard.mjs';
@@ -17,8 +18,8 @@ import { bodiesShown } from './scene/clearance.mjs';
 import { looksDrawn } from './scene/looks.mjs';
 import { ellipsoidShown } from './scene/ellipsoid.mjs';
 import { go } from './dock.mjs';
-import { snapshot } from './sharing.mjs';
-import { counts } from './solving.mjs';
+import { addressed, snapshot } from './sharing.mjs';
+import { counts, settled } from './solving.mjs';
 import * as cloud from './scene/cloud.mjs';
 import * as voxels from './scene/voxels.mjs';
 
@@ -50,6 +51,8 @@ export function expose() {
     world: () => structuredClone(state.world),
     framesDrawn: () => framesDrawn(),
     answers: () => counts.answers,
+    settled: () => settled(),
+    resting: () => underway() === 0 && addressed(),
     trace: () => traceLength(),
     voxels: () => voxels.size(),
     cloud: () => cloud.size(),

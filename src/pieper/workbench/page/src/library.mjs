@@ -2,6 +2,7 @@
 import { state, on, tell } from './store.mjs';
 import { ask, Offline } from './link.mjs';
 import { debounce } from './dom.mjs';
+import { awaiting } from './late.mjs';
 
 let version = 0,
   shape = 0,
@@ -13,10 +14,18 @@ export function bare(table) {
   return { ...table, joints: table.joints.map(({ text, ...j }) => j) };
 }
 
+/** What kind of arm it is, is known of the arm before; it is not said of this one for long. */
+const wait = awaiting((late) => late && forget());
+function forget() {
+  state.plan = null;
+  tell('plan');
+}
+
 async function tellArm() {
   const mine = version;
   if (!state.table.joints.length) {
     state.plan = { solvable: false, explain: 'The table is empty: add a joint.', max_solutions: 0 };
+    wait(false);
     tell('plan');
     return;
   }
@@ -25,10 +34,12 @@ async function tellArm() {
     if (mine !== version) return;
     told = mine;
     state.plan = plan;
+    wait(false);
     settle();
   } catch (error) {
     if (mine !== version || error instanceof Offline) return;
     state.plan = { solvable: false, refused: true, explain: error.message, max_solutions: 0 };
+    wait(false);
     settle(error);
   }
   tell('plan');
@@ -45,7 +56,11 @@ const soon = debounce(tellArm, 60);
 export function begin() {
   on('table', (what) => {
     version += 1;
-    if (!['postures', 'name', 'gripper'].includes(what)) shape += 1;
+    if (!['postures', 'name', 'gripper'].includes(what)) {
+      shape += 1;
+      if (what === 'new') forget();
+      wait(true);
+    }
     if (what === 'postures') told = -1;
     if (what === 'cell') soon();
     else {

@@ -5,6 +5,8 @@ let socket = null,
   seq = 0,
   wait = 250;
 const waiting = new Map();
+/** How many questions have no answer yet. */
+export const underway = () => waiting.size;
 let greeted = null;
 /** What the session says first: version, catalogue, and the arm that a new page opens with. */
 export const greeting = () => greeted;

@@ -296,15 +296,24 @@ function leave() {
   }
 }
 
-let last = null;
-const keep = debounce(async () => {
-  if (!state.table.joints.length) return;
-  const url = await link();
+let last = null,
+  changes = 0,
+  kept = 0;
+/** Whether the address holds what the page shows. */
+export const addressed = () => kept === changes;
+const keepSoon = debounce(async () => {
+  const mine = changes;
+  const url = state.table.joints.length ? await link() : last;
   if (url !== last) {
     last = url;
     history.replaceState(null, '', url);
   }
+  kept = mine;
 }, 600);
+function keep() {
+  changes += 1;
+  keepSoon();
+}
 /** A link put into the address of an open page, and the browser's back and forward, change only what is behind the #. */
 async function follow(showPanel) {
   if (location.href === last) return;

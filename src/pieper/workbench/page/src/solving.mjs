@@ -4,16 +4,33 @@ import { newestOnly } from './link.mjs';
 import { askArm, moot } from './library.mjs';
 import { showGhosts, showPreview } from './scene/arm.mjs';
 import { isDragging } from './scene/gizmo.mjs';
+import { awaiting } from './late.mjs';
 
 export const options = { follow: true, ghosts: 'all', task: null, redundancy: null };
 export const counts = { answers: 0 };
+
+let asked = 0, // how often the target was asked about
+  heard = 0, // the newest of these questions whose answer is shown
+  nearing = null; // the target whose nearest pose is looked for
+/** Whether what is shown is the answer to the newest question. */
+export const answered = () => state.solutions !== null && heard === asked;
+/** Whether nothing more of that answer is on its way. */
+export const settled = () =>
+  answered() && !state.solutions.brief && state.solutions.self_motions !== null && nearing === null;
+/** While the hand moves, every answer is worth showing; afterwards an old one is not shown beside a new question for long. */
+const wait = awaiting(() => {
+  drawGhosts();
+  tell('late');
+});
+export const late = wait.late;
 
 /** Whether the newest question comes of a person's hand on the target, which the arm follows. */
 let edited = false;
 const ask = newestOnly(async () => {
   const followed = edited;
   edited = false;
-  const T = state.target,
+  const mine = asked,
+    T = state.target,
     table = state.table;
   try {
     const brief = isDragging() || sliding;
@@ -23,15 +40,19 @@ const ask = newestOnly(async () => {
     // an answer to an older question is worth showing only while the hand is still moving
     if (table !== state.table || (T !== state.target && !brief)) return;
     counts.answers += 1;
+    heard = mine;
     state.solutions = { ...answer, T, brief };
+    wait(!answered() && !brief);
     if (followed && options.follow && answer.nearest) setJoints(answer.nearest, 'follow');
     drawGhosts();
     tell('solutions');
-    if (!brief && !answer.rows.some((r) => r.inside)) findNearest(T);
+    if (!brief && !answer.rows.some((r) => r.inside)) findNearest((nearing = T));
     if (answer.self_motions === null && !brief) findSelfMotions(state.solutions);
   } catch (error) {
     if (moot(error)) return;
+    heard = mine;
     state.solutions = { rows: [], self_motions: [], status: 'REFUSED', why: error.message, nearest: null };
+    wait(!answered());
     drawGhosts();
     tell('solutions');
   }
@@ -42,13 +63,23 @@ let sliding = false;
 export function slide() {
   sliding = true;
   edited = true;
+  asked += 1;
   ask();
 }
 /** Ask anew; the arm goes to the answer only when a person has just edited what is asked for. */
 export function solve({ follow = false } = {}) {
   sliding = false;
   edited ||= follow;
+  asked += 1;
+  if (!isDragging()) wait(true);
+  tell('asked');
   ask();
+}
+/** What was asked is no longer what stands there: nothing is shown for it until it is asked. */
+function outdate() {
+  if (!state.solutions) return;
+  state.solutions = null;
+  tell('solutions');
 }
 
 /** The self-motions of a redundant arm take longer than its solutions, which are shown meanwhile. */
@@ -59,8 +90,12 @@ const findSelfMotions = newestOnly(async (asked) => {
     if (state.solutions !== asked || !self_motions) return;
     asked.self_motions = self_motions;
     tell('solutions');
-  } catch {
-    /* the solutions stand without them */
+  } catch (error) {
+    // the solutions stand without them
+    if (moot(error) || state.solutions !== asked) return;
+    asked.self_motions = [];
+    asked.untraced = error.message;
+    tell('solutions');
   }
 });
 
@@ -73,6 +108,8 @@ const findNearest = newestOnly(async (T) => {
     }
   } catch {
     /* the reason in words stands already */
+  } finally {
+    if (nearing === T) nearing = null;
   }
 });
 
@@ -81,7 +118,7 @@ const close = (a, b) =>
 export function drawGhosts() {
   const rows = state.solutions?.rows ?? [];
   const wanted =
-    state.panel === 'inverse' && options.ghosts !== 'none'
+    state.panel === 'inverse' && options.ghosts !== 'none' && !late()
       ? rows.filter((r) => (options.ghosts === 'all' || r.inside) && !close(r.q, state.q))
       : [];
   showGhosts(wanted.map((r) => r.q));
@@ -90,14 +127,16 @@ export function drawGhosts() {
 export function begin() {
   on('target', (why) => {
     if (state.panel === 'inverse') solve({ follow: EDITED.has(why) });
+    else outdate();
   });
   on('task', () => {
     tell('plan');
     if (state.panel === 'inverse' && state.hasTarget) solve();
+    else outdate();
   });
   on('panel', (id) => {
     showPreview(null);
-    if (id === 'inverse' && state.hasTarget && !state.solutions) solve();
+    if (id === 'inverse' && state.hasTarget && !answered()) solve();
     drawGhosts();
   });
   on('moving', (yes) => {

@@ -86,7 +86,7 @@ export const analysis = {
         limits,
         bars.map((b) => b.el),
       );
-      update();
+      update.now();
     };
     const update = perFrame(() => {
       if (root.closest('.panel').hidden || !state.table.joints.length) return;
@@ -116,7 +116,8 @@ export const analysis = {
       });
     });
     on('table', rebuild);
-    on(['q', 'units', 'panel', 'plan'], update);
+    on(['q', 'units', 'plan'], update);
+    on('panel', update.now);
     rebuild();
   },
 };

@@ -316,12 +316,17 @@ export const dhTable = {
       tool.show();
     });
     on('plan', () => {
-      kind.dataset.tone = state.plan?.solvable ? 'good' : 'wrong';
+      if (!state.plan) {
+        kind.dataset.tone = 'note';
+        replace(kind, h('span', { text: 'Looking how it is solved …' }));
+        return;
+      }
+      kind.dataset.tone = state.plan.solvable ? 'good' : 'wrong';
       replace(
         kind,
-        h('strong', { text: countWords(state.plan) || (state.plan?.refused ? 'Refused' : 'Not solved') }),
+        h('strong', { text: countWords(state.plan) || (state.plan.refused ? 'Refused' : 'Not solved') }),
         ' ',
-        h('span', { text: state.plan?.explain ?? '' }),
+        h('span', { text: state.plan.explain ?? '' }),
       );
     });
     rebuild();

@@ -137,12 +137,31 @@ export const equations = {
     const tagOf = (b) => (b.number === undefined ? '' : ` \\tag{${b.number}}`);
     const source = () =>
       blocks.map((b) => (b.kind === 'equation' ? `\\[ ${latexOf(b)}${tagOf(b)} \\]` : sentence(b.pieces))).join('\n\n');
+    /** A formula wider than its place fades out at the edge and is scrolled by itself, with the keyboard too. */
+    function measure() {
+      const all = [...body.querySelectorAll('.formula')];
+      for (const el of all) el.classList.remove('broad');
+      const needs = all.map((el) => (el.scrollWidth > el.clientWidth ? el.scrollWidth : 0));
+      all.forEach((el, i) => {
+        el.classList.toggle('broad', needs[i] > 0);
+        el.style.setProperty('--across', `${needs[i]}px`);
+        if (needs[i]) el.tabIndex = 0;
+        else el.removeAttribute('tabindex');
+      });
+    }
+    let across = 0;
+    new ResizeObserver(() => {
+      if (body.clientWidth === across) return;
+      across = body.clientWidth;
+      measure();
+    }).observe(body);
     function typesetAll(k) {
       live = [];
       replace(
         body,
         blocks.map((b) => block(k, b)),
       );
+      measure();
       update();
     }
     async function refresh() {
@@ -151,7 +170,9 @@ export const equations = {
       if (asked === key) return;
       asked = key;
       setText(note, 'Deriving …');
+      blocks = [];
       replace(body);
+      replace(values);
       try {
         const [k, answer] = await Promise.all([
           katex(),
@@ -208,8 +229,11 @@ export const equations = {
     /** The derivation with the present numbers put in: what its formulas give at the present pose, branch by branch. */
     const evaluate = debounce(async () => {
       if (panel.hidden || which !== 'inverse' || !body.childElementCount) return;
+      const T = state.frames.at(-1);
       try {
-        const { rows } = await askArm('formulas', { T: state.frames.at(-1) });
+        const { rows } = await askArm('formulas', { T });
+        if (T !== state.frames.at(-1)) return;
+        values.classList.remove('stale');
         replace(values, rows.length && which === 'inverse' ? valueTable(rows) : null);
       } catch {
         replace(values);
@@ -221,6 +245,7 @@ export const equations = {
     }, 120);
     on('q', follow);
     on('panel', follow);
+    on('q', () => values.classList.add('stale'));
     on('q', evaluate);
     on('units', evaluate);
     on('panel', refresh);

@@ -5,12 +5,13 @@ import { units, show, showUnit } from '../units.mjs';
 import { moveTo } from '../animate.mjs';
 import { position } from '../matrix.mjs';
 import { reach } from '../kinematics.mjs';
-import { solve, drawGhosts, options } from '../solving.mjs';
+import { solve, drawGhosts, options, answered, late } from '../solving.mjs';
+import { busy } from '../late.mjs';
 import { showBeside } from '../scene/arm.mjs';
 import * as gizmo from '../scene/gizmo.mjs';
 import { poseEditor, readMatrix, matrixDigits } from './pose_editor.mjs';
 import { matrixText } from './grid.mjs';
-import { showSelfMotions } from './self_motions.mjs';
+import { showSelfMotions, followArm } from './self_motions.mjs';
 import { spareCoordinates } from './spare.mjs';
 import { solutionTable } from './solution_table.mjs';
 
@@ -82,7 +83,8 @@ export const inverse = {
     const near = h('div', { class: 'near', 'data-testid': 'ik-nearest' });
     const motions = h('div', { class: 'self-motions', 'data-testid': 'self-motions' });
     const list = solutionTable();
-    root.append(spareCoordinates(), verdict, near, motions, list.el);
+    const parts = h('div', { class: 'answer', 'data-testid': 'ik-answer' }, near, motions, list.el);
+    root.append(spareCoordinates(), verdict, parts);
 
     // The picture follows the hand with every answer; numbers that change more often than this cannot be read anyway.
     const showTarget = atMostEvery(READABLE, () => {
@@ -91,18 +93,30 @@ export const inverse = {
     });
     const showAnswer = atMostEvery(READABLE, () => {
       if (panel.hidden) return;
-      const s = state.solutions;
-      showVerdict(verdict, s);
-      showNear(near, s);
+      const s = state.solutions,
+        old = !answered() && !gizmo.isDragging();
+      busy(old, verdict, parts);
+      parts.classList.toggle('stale', old && late());
+      parts.inert = old; // of what was asked before: nobody goes there by mistake
+      showVerdict(verdict, old && late() ? null : s);
+      showNear(near, old && late() ? null : s);
       showSelfMotions(motions, s);
       list.show(s);
     });
     const mark = atMostEvery(READABLE, () => list.mark());
+    const follow = atMostEvery(READABLE, () => panel.hidden || followArm(motions, state.solutions));
     const atOnce = (run) => () => (gizmo.isDragging() ? run.soon() : run());
     on('target', atOnce(showTarget));
     on('notation', editor.show);
     on(['solutions', 'units'], atOnce(showAnswer));
+    on(['asked', 'late'], () => {
+      if (panel.hidden || gizmo.isDragging() || answered()) return;
+      if (late()) showAnswer();
+      busy(true, verdict, parts);
+      parts.inert = true;
+    });
     on('q', atOnce(mark));
+    on('q', (why) => why !== 'self-motion' && follow.soon());
     const beside = () => showBeside('target', state.panel === 'inverse' ? withHandles(position(state.target)) : []);
     on('target', (why) => why !== 'drag' && beside());
     on('panel', (id) => {

@@ -2,6 +2,7 @@
 import { h, setText, unreadable } from '../dom.mjs';
 import { on } from '../store.mjs';
 import { Offline } from '../link.mjs';
+import { awaiting, busy } from '../late.mjs';
 
 /** What tells that something was changed which a question may be about. */
 const ASKED_WITH = [
@@ -61,13 +62,21 @@ export async function answerTo({ roots, about }, ask) {
  */
 export function longQuestion({ text, working, testid, verdict, roots, about, ask, show, forget, open = () => true }) {
   const el = h('button', { type: 'button', class: 'primary', text, 'data-testid': testid });
-  let answered = null, // what the shown answer is about
+  const wait = awaiting((late) => verdict.classList.toggle('stale', late));
+  let answered = null, // what the shown answer is about, or the one that is looked for
+    underway = 0, // questions under way: a newer one takes the place of an older
     away = false; // whether it was the server being away that was said
   el.ask = async (...said) => {
-    answered = null;
+    const asked = about(),
+      again = answered && same(answered, asked);
+    // what is shown stays until the answer, unless what was asked is changed before
+    answered = asked;
     away = false;
     el.disabled = true;
+    underway += 1;
     setText(el, working);
+    busy(true, verdict);
+    wait(true);
     try {
       const got = await answerTo({ roots, about }, () => ask(...said));
       if (got.stopped) return;
@@ -75,12 +84,22 @@ export function longQuestion({ text, working, testid, verdict, roots, about, ask
       show(got);
     } catch (error) {
       away = error instanceof Offline;
+      if (answered === asked && !again) {
+        answered = null;
+        forget?.();
+      }
       verdict.say(error.message);
     } finally {
-      setText(el, text);
-      el.show();
+      underway -= 1;
+      if (!underway) rest();
     }
   };
+  function rest() {
+    busy(false, verdict);
+    wait(false);
+    setText(el, text);
+    el.show();
+  }
   el.show = () => {
     el.disabled = !open();
   };

@@ -134,7 +134,7 @@ export const matrices = {
           ),
         ),
       );
-      update();
+      update.now();
     };
     const update = perFrame(() => {
       if (root.closest('.panel').hidden || !state.table.joints.length) return;
@@ -190,7 +190,8 @@ export const matrices = {
       update();
     };
     on('table', rebuild);
-    on(['q', 'units', 'panel'], update);
+    on(['q', 'units'], update);
+    on('panel', update.now);
     on(['solutions', 'panel'], list);
     rebuild();
   },

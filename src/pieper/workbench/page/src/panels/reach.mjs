@@ -4,7 +4,7 @@ import { state, on } from '../store.mjs';
 import { units, showUnit, engineering } from '../units.mjs';
 import { ask, Offline } from '../link.mjs';
 import { BACK } from './long_question.mjs';
-import { askArm } from '../library.mjs';
+import { armNumber, askArm } from '../library.mjs';
 import { reach } from '../kinematics.mjs';
 import { showBeside, fitArm } from '../scene/arm.mjs';
 import * as cloud from '../scene/cloud.mjs';
@@ -140,6 +140,7 @@ export function reachControls() {
   }
   async function run() {
     const mine = kinds[kind],
+      arm = armNumber(),
       { size, colour } = picked,
       named = mine.colours.find(([k]) => k === colour)[1];
     wipe();
@@ -151,6 +152,7 @@ export function reachControls() {
     mine.begin(size);
     try {
       const end = await askArm(kind, mine.asked(size, colour), (m) => {
+        if (arm !== armNumber()) return; // a piece of another arm's
         mine.piece(m);
         progress.value = m.done / m.of;
         scale();

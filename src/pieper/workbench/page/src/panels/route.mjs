@@ -271,6 +271,7 @@ export const route = (open) => ({
       dock.drop(mine);
       verdict.say('');
       map.show(null);
+      line.open = true;
       send.hidden = more.hidden = letFree.hidden = true;
       replace(chips);
       replace(list);

@@ -18,6 +18,8 @@ export function showSelfMotions(el, s) {
   const key = s?.self_motions === null ? 'pending' : s?.self_motions;
   if (el.drawn === key) return;
   el.drawn = key;
+  const { open: unfolded } = el.querySelector('details') ?? el.was ?? {}; // by the person who looks at them
+  el.was = { open: unfolded };
   if (key === 'pending') {
     replace(el, h('p', { class: 'hint', text: 'Following the self-motions of this pose …' }));
     return;
@@ -50,16 +52,32 @@ export function showSelfMotions(el, s) {
     );
   };
   const here = list.length ? nearestOf(list) : -1;
+  el.here = here;
   const others = list.map((motion, k) => (k === here ? null : line(motion, k))).filter(Boolean);
   const fold = others.length
     ? h(
         'details',
-        { class: 'fold' },
+        { class: 'fold', open: unfolded },
         h('summary', { text: others.length === 1 ? 'One other self-motion' : `${others.length} other self-motions` }),
         others,
       )
     : null;
-  replace(el, here >= 0 ? line(list[here], here) : null, fold);
+  const untraced = s?.untraced
+    ? h('p', { class: 'hint', text: `The self-motions are not known: ${s.untraced}` })
+    : null;
+  replace(el, here >= 0 ? line(list[here], here) : null, fold, untraced);
+}
+
+/** The arm went elsewhere: the thumbs go where it is, and the self-motion on which it is now comes first. */
+export function followArm(el, s) {
+  const list = s?.self_motions;
+  if (!list?.length || el.drawn !== list || state.q.length !== list[0].q[0].length) return;
+  if (nearestOf(list) !== el.here) {
+    el.drawn = null;
+    showSelfMotions(el, s);
+    return;
+  }
+  for (const slider of el.querySelectorAll('input')) slider.stand();
 }
 
 const apart = (v) => v.reduce((sum, x, m) => sum + Math.sin((x - state.q[m]) / 2) ** 2, 0);
@@ -127,9 +145,12 @@ function along(motion, k, T, exact) {
     tell('did', { label: 'slide along a self-motion', key: 'self-motion' });
     setJoints(shortest(exact ? ontoPose(state.table, between, T) : between), 'self-motion');
   };
-  // the thumb begins where the arm is; the reddish parts of the track lie outside the limits
-  slider.value = String(whereOn(motion));
-  slider.style.setProperty('--at', `${100 * Number(slider.value)}%`);
+  // the thumb is where the arm is; the reddish parts of the track lie outside the limits
+  slider.stand = () => {
+    slider.value = String(whereOn(motion));
+    slider.style.setProperty('--at', `${100 * Number(slider.value)}%`);
+  };
+  slider.stand();
   slider.classList.add('parts');
   slider.style.setProperty('--parts', trackOf(motion.inside));
   slider.dataset.inside = JSON.stringify(motion.inside);

@@ -158,6 +158,11 @@ export function spareCoordinates() {
     if (fresh) fold.open = list.filter((c) => !c.instead).length > 1 || Boolean(options.redundancy);
     show();
   });
+  on('table', (what) => {
+    if (what !== 'new') return; // the coordinates of another arm
+    list = [];
+    el.hidden = true;
+  });
   on('q', () => !el.hidden && !el.closest('[hidden]') && !options.redundancy && show());
   on('units', () => {
     for (const r of rows) r.relabel();

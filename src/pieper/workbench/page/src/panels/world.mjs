@@ -135,6 +135,11 @@ export const world = {
       const c = state.clearance;
       nearest.hidden = !c;
       if (!c) return;
+      if (c.waiting) {
+        nearest.dataset.tone = 'note';
+        setText(nearest, 'Measuring the distance …');
+        return;
+      }
       nearest.dataset.tone = c.refused || c.metres <= 0 ? 'wrong' : 'good';
       const [one, other] = c.pair ?? [];
       setText(

@@ -5,6 +5,7 @@ import { colours } from '../theme.mjs';
 import { mul } from '../matrix.mjs';
 import { newestOnly } from '../link.mjs';
 import { askArm, moot } from '../library.mjs';
+import { awaiting } from '../late.mjs';
 import { bodyMesh } from './world.mjs';
 import { scene, invalidate } from './view.mjs';
 
@@ -21,23 +22,35 @@ let shown = null, // the bodies that are drawn, or null
   about = '';
 export const wanted = () => state.watch || state.world.some((t) => t.role === 'obstacle' && t.kind !== 'frame');
 
-const ask = newestOnly(async () => {
-  try {
-    const found = await askArm('clearance', { q: state.q, world: state.world });
-    state.clearance = found;
-  } catch (error) {
-    if (moot(error)) return;
-    state.clearance = { refused: error.message };
-  }
+/** The distance of an earlier posture is not shown beside the present one for long. */
+const wait = awaiting((late) => late && show({ waiting: true }));
+function show(found) {
+  state.clearance = found;
   draw();
   tell('clearance');
+}
+const ask = newestOnly(async () => {
+  const { q, world } = state,
+    present = () => q === state.q && world === state.world;
+  let found;
+  try {
+    found = await askArm('clearance', { q, world });
+  } catch (error) {
+    if (moot(error)) return;
+    found = { refused: error.message };
+  }
+  // while the arm moves a distance of just now will do, one of long ago will not
+  if (!wanted() || (!present() && wait.late())) return;
+  wait(!present());
+  show(found);
 });
 function look() {
-  if (wanted() && state.table.joints.length) ask();
-  else if (state.clearance) {
-    state.clearance = null;
-    draw();
-    tell('clearance');
+  if (wanted() && state.table.joints.length) {
+    wait(true);
+    ask();
+  } else {
+    wait(false);
+    if (state.clearance) show(null);
   }
 }
 function draw() {
