@@ -91,9 +91,11 @@ def well_inside(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> Ar
 def box(chain: Chain, limits: Array) -> tuple[Array, Array]:
     """Return the ends (n,) of the box that is searched: limits, else a turn about zero, or twice the arm's length."""
     reach = np.where(chain.prismatic, 2 * chain.length, np.pi)
-    low, high = np.isfinite(limits[:, 0]), np.isfinite(limits[:, 1])
-    lower = np.where(low, limits[:, 0], np.where(high, np.minimum(-reach, limits[:, 1] - 2 * reach), -reach))
-    return lower, np.where(high, limits[:, 1], np.where(low, np.maximum(reach, limits[:, 0] + 2 * reach), reach))
+    low, high = limits.T
+    return (
+        np.where(np.isfinite(low), low, np.minimum(-reach, high - 2 * reach)),
+        np.where(np.isfinite(high), high, np.maximum(reach, low + 2 * reach)),
+    )
 
 
 def closest(chain: Chain, q: Array, T: Array, limits: Array, now: Array, weights: Array) -> Array:
