@@ -33,14 +33,14 @@ class Verdict:
         return not (self.missing or self.wrong)
 
 
-def judge(arm, T, *, rows=None, families=None, task="pose", tolerance=1e-5, m=None, **how) -> Verdict:
+def judge(arm, T, *, rows=None, self_motions=None, task="pose", tolerance=1e-5, m=None, **how) -> Verdict:
     """Compare the arm's answers to the oracle's.
 
     Args:
         arm: The arm.
         T: Pose.
         rows: Its answers (k, n), or None to call `arm.ik`.
-        families: Its families; a solution of the oracle inside one is not missing.
+        self_motions: Its self-motions; a solution of the oracle on one is not missing.
         task: As in `arm.ik`.
         tolerance: Largest difference of two equal solutions; wider where the pose is nearly singular.
         m: The arm's machine.
@@ -49,7 +49,7 @@ def judge(arm, T, *, rows=None, families=None, task="pose", tolerance=1e-5, m=No
     m = m or machine(arm)
     if rows is None:
         given = arm.ik(T, task=task) if task != "pose" else arm.ik(T)
-        rows, families = given.all_q, given.self_motions
+        rows, self_motions = given.all_q, given.self_motions
     found = search(arm, T, task=task, m=m, **how)
     verdict = Verdict(found=found, theirs=rows)
     pose, code = m.pose(T), {"pose": 0, "position": 1, "position+axis": 2}[task]
@@ -67,7 +67,7 @@ def judge(arm, T, *, rows=None, families=None, task="pose", tolerance=1e-5, m=No
         wide = blur(tolerance, found.sigma[i])
         if len(theirs) and (gap(m, theirs, mine[i]) < wide).any():
             continue
-        if families and any(f.contains(found.q[i], 1e-4) for f in families):
+        if self_motions and any(motion.contains(found.q[i], 1e-4) for motion in self_motions):
             continue
         verdict.missing.append((found.q[i], int(found.hits[i]), float(found.sigma[i])))
     return verdict

@@ -108,3 +108,13 @@ def test_the_version_is_said_once():
     assert "version" in project["project"]["dynamic"]
     said = re.search(r'__version__ = "([^"]+)"', (house.SOURCE / "__init__.py").read_text())
     assert said and pieper.__version__ == said[1]
+
+
+def test_every_file_a_pose_walks_through_is_there():
+    told = re.findall(
+        r"`([\w/.]+\.(?:py|hpp|cpp)|[\w/]+/)`", (house.ROOT / "docs" / "a_pose_walks_through.md").read_text()
+    )
+    solver = house.SOURCE / "solver"
+    homes = (house.SOURCE, house.ROOT, solver, solver / "redundant", solver / "singular", solver / "words")
+    assert len(told) > 40
+    assert not [name for name in told if not any((home / name).exists() for home in homes)]

@@ -33,7 +33,7 @@ SUMS = (
     "generating_missed",
     "extra",
     "unseen",
-    "on_families",
+    "on_self_motions",
     "uncertain",
     "crowded",
     "failed",
@@ -70,10 +70,10 @@ def judged(arm, number: int, task: str, count: int, library) -> dict:
             left = np.linalg.norm(equations(m, m.inner(sols.all_q), m.pose(T[i]), TASKS[task])[0], axis=1)
             bad = int((left > 1e-9).sum())
             out["extra"] += bad
-            # with more than one spare coordinate the families given are lines on a surface: q need not lie on one
+            # with more than one spare coordinate the self-motions given are lines on a surface: q need not lie on one
             lost = len(plan.redundancy) == 1 and not any(f.contains(q[i], 1e-4) for f in sols.self_motions)
             out["generating_missed"] += lost
-            out["on_families"] += not lost
+            out["on_self_motions"] += not lost
             if lost or bad or not len(sols.all_q):
                 out["cases"].append(case | {"bad": bad})
             continue

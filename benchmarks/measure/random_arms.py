@@ -138,7 +138,7 @@ def judged(arm: Arm, number: int, count: int) -> dict:
     wide = FOUND + ROUNDED * size / np.maximum(sigma, 1e-300)
     lost = np.flatnonzero(near > wide)
     names = [s.name for s in map(type(arm.ik(T[0]).status), many.status)]
-    lost = [i for i in lost if not on_a_family(arm, T[i], q[i], held)]
+    lost = [i for i in lost if not on_a_self_motion(arm, T[i], q[i], held)]
     out["missed"] = len(lost)
     out["lost"] = [
         {"pose": int(i), "sigma": float(sigma[i]), "near": float(min(near[i], 1e9)), "status": names[i]}
@@ -150,13 +150,13 @@ def judged(arm: Arm, number: int, count: int) -> dict:
     return out
 
 
-def on_a_family(arm: Arm, T, q, held) -> bool:
-    """Return whether q lies on one of the families of its pose."""
+def on_a_self_motion(arm: Arm, T, q, held) -> bool:
+    """Return whether q lies on one of the self-motions of its pose."""
     try:
         sols = arm.ik(T, redundancy=q[held]) if held else arm.ik(T)
     except ValueError:
         return False
-    return any(family.contains(q, 1e-5) for family in sols.self_motions)
+    return any(motion.contains(q, 1e-5) for motion in sols.self_motions)
 
 
 def rows(arm: Arm, m: Machine, many, T, free, out) -> None:

@@ -142,13 +142,13 @@ def measure(arm, seed: int) -> dict:
             out["told"][decade[i]] += 1
             continue
         # where a singular slice has a self-motion of its own a held arm's rows are one point of it
-        families = arm.ik(T[i], **({"redundancy": plan.defaults} if plan.redundancy else {})).self_motions
-        if any(f.contains(q[i], FLAT) for f in families):
+        motions = arm.ik(T[i], **({"redundancy": plan.defaults} if plan.redundancy else {})).self_motions
+        if any(motion.contains(q[i], FLAT) for motion in motions):
             out["flat"][decade[i]] += 1
             out["told"][decade[i]] += 1
             continue
         told = FLAT + BLUR / max(sigma[i], 1e-300)
-        within = bool(gap[i] < told or any(f.contains(q[i], told) for f in families))
+        within = bool(gap[i] < told or any(motion.contains(q[i], told) for motion in motions))
         out["told"][decade[i]] += within
         if within and judged == JUDGED:
             out["as told"][decade[i]] += 1

@@ -159,10 +159,10 @@ def at_random(result: dict) -> list[str]:
 
 def others(result: dict) -> list[str]:
     """Shorter and longer arms."""
-    keys = ("arms", "poses", "solutions", "missing", "generating_missed", "extra", "unseen", "on_families")
+    keys = ("arms", "poses", "solutions", "missing", "generating_missed", "extra", "unseen", "on_self_motions")
     keys += ("uncertain", "refused", "failed")
     rows = [(name, *(row[key] for key in keys)) for name, row in sorted(result["rows"].items())]
-    head = ("joints, task", *(key.replace("_", " ") for key in keys))
+    head = ("joints, task", *(key.replace("_", " ").replace("self m", "self-m") for key in keys))
     return [
         *OTHERS.split("\n"),
         *table(head, rows),

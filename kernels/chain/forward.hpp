@@ -42,6 +42,23 @@ template <class F> PIEPER_INLINE F joint_of(const double* q, int n, int j, int l
   }
 }
 
+// All joints of W joint vectors, each in its lanes, or false where that is not one load a vector and a transposition: it takes
+// half the time of reading joint by joint.
+template <class F> PIEPER_INLINE bool joints_of([[maybe_unused]] const double* q, [[maybe_unused]] int n,
+                                                [[maybe_unused]] int lanes, [[maybe_unused]] F* joints) {
+#if defined(__AVX512F__)
+  constexpr int W = width_of<F>;
+  if constexpr (W == 8) {
+    if (n > W || lanes < W) return false;
+    const __mmask8 all = static_cast<__mmask8>((1 << n) - 1);
+    for (int i = 0; i < W; ++i) joints[i] = F{_mm512_maskz_loadu_pd(all, q + i * n)};
+    transpose(joints);
+    return true;
+  }
+#endif
+  return false;
+}
+
 // Calls group(type tag, first, lanes) for all poses: whole lanes, then the rest; one pose alone in plain doubles.
 template <class Group> PIEPER_INLINE void in_groups(long count, Group group) {
   constexpr int W = PIEPER_LANES;
@@ -57,8 +74,10 @@ template <class Group> PIEPER_INLINE void in_groups(long count, Group group) {
 // links: (n + 1) x 16 row-major, m. visit(k, frame): of joint k before it moves.
 template <class F, class Visit> PIEPER_INLINE RigidT<F> chain_end(const double* links, const std::uint8_t* prismatic,
                                                                   int n, const double* q, int lanes, Visit visit) {
+  F joints[width_of<F>];
+  const bool read = joints_of(q, n, lanes, joints);
   auto motion = [&](int k) {
-    const F value = joint_of<F>(q, n, k, lanes);
+    const F value = read ? joints[k] : joint_of<F>(q, n, k, lanes);
     return prismatic[k] ? Motion<F>{value, F(0.0)} : turned_by(value);
   };
   return walk(

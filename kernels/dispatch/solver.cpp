@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <string>
-#include <thread>
+
+#include "dispatch/together.hpp"
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
@@ -25,7 +25,6 @@ constexpr long kSmallestBlock = 16;     // poses; a multiple of every width of l
 constexpr long kUsualCache = 8L << 20;  // bytes, where the processor does not tell
 constexpr long kSerialBelow = 2000;     // starting a thread costs as much as this many closed-form poses
 constexpr double kHalfTurn = 3.14159265358979323846;
-constexpr auto kAskEvery = std::chrono::milliseconds(20);
 
 // Bytes of the cache that all cores share.
 long cache_size() {
@@ -119,24 +118,9 @@ Outcome Solver::solve(const double* T, long count, int threads, const Answers& t
       after_block();
     }
   };
-  if (threads <= 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  threads = static_cast<int>(std::min<long>(threads, (count + block - 1) / block));
-  std::vector<std::thread> helpers;
-  if (count >= kSerialBelow) {
-    try {
-      for (int i = 1; i < threads; ++i) helpers.emplace_back([&] { work([] {}); });
-    } catch (const std::system_error&) {
-      // no more threads to be had: the ones we have do the work
-    }
-  }
-  auto asked = std::chrono::steady_clock::now();
-  work([&] {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - asked < kAskEvery) return;
-    asked = now;
-    if (!keep_going(done.load(std::memory_order_relaxed))) stop = true;
-  });
-  for (auto& helper : helpers) helper.join();
+  work_together(
+      count < kSerialBelow ? 1 : threads_for(threads, (count + block - 1) / block), work,
+      [&] { return keep_going(done.load(std::memory_order_relaxed)); }, stop);
   return stop ? Outcome::STOPPED : first_bad < count ? Outcome::BAD_POSE : Outcome::FINISHED;
 }
 

@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <system_error>
-#include <thread>
 #include <vector>
+
+#include "dispatch/together.hpp"
 
 namespace pieper {
 namespace {
 
 constexpr long kBlock = 64;  // poses at once: their answers stay in the first cache
-constexpr auto kAskEvery = std::chrono::milliseconds(20);
 constexpr double kTurn = 6.28318530717958647693;
 
 void set(std::uint8_t* bits, long i) { bits[i >> 3] |= static_cast<std::uint8_t>(0x80 >> (i & 7)); }
@@ -265,21 +263,7 @@ bool reach(const Solver& solver, const Voxels& asked, const Reached& to, int thr
       after_voxel();
     }
   };
-  if (threads <= 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  std::vector<std::thread> helpers;
-  try {
-    for (int i = 1; i < std::min<long>(threads, asked.count); ++i) helpers.emplace_back([&] { work([] {}); });
-  } catch (const std::system_error&) {
-    // no more threads to be had: the ones we have do the work
-  }
-  auto asked_at = std::chrono::steady_clock::now();
-  work([&] {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - asked_at < kAskEvery) return;
-    asked_at = now;
-    if (!keep_going()) stop = true;
-  });
-  for (auto& helper : helpers) helper.join();
+  work_together(threads_for(threads, asked.count), work, keep_going, stop);
   return !stop;
 }
 

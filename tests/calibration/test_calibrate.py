@@ -205,6 +205,14 @@ def test_chosen_poses_say_more_than_any_other_few():
     assert np.mean(errors["chosen"]) < 0.95 * np.mean(errors["any"])
 
 
+def test_of_heights_over_a_level_plane_a_turn_of_the_first_joint_changes_no_choice():
+    arm = pieper.load("universal-robots-ur5e")
+    candidates = postures(arm, np.random.default_rng(12), 120)
+    turned = candidates + [0.7, 0, 0, 0, 0, 0]
+    first, again = (arm.choose_poses(8, q, kind="plane", sigma=NOISE[:1]).tolist() for q in (candidates, turned))
+    assert first == again
+
+
 def test_a_fit_needs_to_be_told_how_arms_are_made():
     arm = pieper.load("denso-vp6242")
     q = postures(arm, np.random.default_rng(0), 20)

@@ -7,8 +7,9 @@ import pytest
 
 import pieper
 from pieper.calibration.measurements import SETUP, Measurements
-from pieper.calibration.model import AxesModel
+from pieper.calibration.model import AxesModel, screw_motion
 from pieper.calibration.parameters import parameters_of
+from pieper.kinematics.pose import skew
 from tests.calibration.planted import ARMS, planted, postures
 
 
@@ -55,3 +56,17 @@ def test_derivatives_are_those_of_differences(name, kind):
         step = np.zeros(total)
         step[k] = h
         assert np.abs((misses(step) - misses(-step)) / (2 * h) - found[:, :, k]).max() < 3e-9, (kind, k)
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-5, 9.9e-5, *np.geomspace(1.01e-4, 1.0, 17)])
+def test_a_screw_motion_is_the_sum_of_the_powers_of_its_twist(angle):
+    rng = np.random.default_rng(4)
+    for w, v in rng.standard_normal((20, 2, 3)):
+        w *= angle / np.linalg.norm(w)
+        X, power, total = np.zeros((4, 4)), np.eye(4), np.eye(4)
+        X[:3, :3], X[:3, 3] = skew(w), v
+        for k in range(1, 25):
+            power = power @ X / k
+            total = total + power
+        off = np.abs(screw_motion(np.concatenate([w, v])) - total)
+        assert off[:3, :3].max() < 1e-15 and off[:3, 3].max() < 1e-15 * (1 + np.abs(v).max())

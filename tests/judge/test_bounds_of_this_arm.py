@@ -11,15 +11,10 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.arms.printed import elbow
 from pieper.judge.verdict import HOLDS, PARTLY
 
-SYMBOLS = """[arm]
-convention = "standard"
-length_unit = "m"
-columns = ["theta", "d", "a", "alpha"]
-rows = [["q1", "d1", 0, "pi/2"], ["q2", 0, "a2", 0], ["q3", 0, "a3", 0]]
-values = { d1 = 0.4, a2 = 0.3, a3 = 0.25 }
-"""
+SYMBOLS = elbow(0.4, 0.3, 0.25)
 NUMBERS = re.sub(r"values.*\n", "", SYMBOLS.replace('"d1"', "0.4").replace('"a2"', "0.3").replace('"a3"', "0.25"))
 FROM_SHOULDER, FROM_GROUND = "px^2+py^2+(pz-0.4)^2", "px^2+py^2+pz^2"
 TRUE = [

@@ -2,23 +2,13 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 import pieper
-from pieper import DH
 from pieper.judge.excerpt_counts import counted
 from pieper.judge.verdict import HOLDS, WRONG
 
 D = r"(p_x^2+p_y^2+(p_z-d_1)^2-a_2^2-a_3^2)/(2 a_2 a_3)"
-
-
-@pytest.fixture(scope="module")
-def robot(tmp_path_factory):
-    file = tmp_path_factory.mktemp("robots") / "three.toml"
-    rows = [DH(d=0.35, alpha=np.pi / 2), DH(a=0.4), DH(a=0.3)]
-    pieper.Arm.from_dh(rows, convention="standard", name="three").save(str(file))
-    return str(file)
 
 
 @pytest.mark.parametrize(

@@ -30,14 +30,6 @@ OTHER = "px = cos(t1)*(l_2*cos(t2) - l_3*cos(t2+t3)), pz = l_1 - l_2*sin(t2)\n"
 PLACE = f"x = {PX} (2.1)\ny = sin(t1)*(a2*cos(t2) + a3*cos(t2+t3)) (2.2)\ntheta1 = atan2(y, x)\n"
 
 
-@pytest.fixture(scope="module")
-def robot(tmp_path_factory):
-    file = tmp_path_factory.mktemp("robots") / "three.toml"
-    rows = [DH(d=0.35, alpha=np.pi / 2), DH(a=0.4), DH(a=0.3)]
-    pieper.Arm.from_dh(rows, convention="standard", name="three").save(str(file))
-    return str(file)
-
-
 def judged(text: str, robot: str) -> dict[str, str]:
     return {v.id: v.status for v in pieper.check(pieper.guess_claims(text, robot, "page")[0]).verdicts}
 

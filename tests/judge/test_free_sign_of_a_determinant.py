@@ -8,19 +8,17 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.arms.printed import elbow
 from pieper.judge.verdict import HOLDS, WRONG
 
 LENGTHS = {"d1": 0.4, "a2": 0.3, "a3": 0.25}
-HEAD = """[arm]
-convention = "standard"
-length_unit = "m"
-columns = ["theta", "d", "a", "alpha"]
-rows = [["q1", "d1", 0, "pi/2"], ["q2", 0, "a2", 0], ["q3", 0, "a3", 0]]
-values = { d1 = 0.4, a2 = 0.3, a3 = 0.25 }
-[[claim]]
+HEAD = (
+    elbow(**LENGTHS)
+    + """[[claim]]
 kind = "determinant"
 rows = [1, 2, 3]
 """
+)
 RIGHT = "a2 a3 s3 (a2 c2 + a3 c23)"
 SLIPS = {
     "a2 a3 s3 (a2 c2 + a3 s23)": "s23 for c23",

@@ -5,22 +5,10 @@ from __future__ import annotations
 import pytest
 
 import pieper
+from oracle.arms.printed import elbow, puma
 
-ELBOW = """[arm]
-convention = "standard"
-length_unit = "m"
-columns = ["theta", "d", "a", "alpha"]
-rows = [["q1", "d1", 0, "90 deg"], ["q2", 0, "a2", 0], ["q3", 0, "a3", 0]]
-values = { d1 = 0.3, a2 = 0.4, a3 = 0.4 }
-"""
-PUMA = """[arm]
-convention = "modified"
-length_unit = "m"
-columns = ["alpha", "a", "d", "theta"]
-rows = [[0, 0, 0, "q1"], ["-90 deg", 0, 0, "q2"], [0, "a2", "d3", "q3"], ["-90 deg", "a3", "d4", "q4"],
-        ["90 deg", 0, 0, "q5"], ["-90 deg", 0, 0, "q6"]]
-values = { a2 = 0.4318, d3 = 0.1245, a3 = 0.0203, d4 = 0.4318 }
-"""
+ELBOW = elbow(0.3, 0.4, 0.4)
+PUMA = puma(0.4318, 0.1245, 0.0203, 0.4318)
 PLANAR = """[arm]
 convention = "standard"
 length_unit = "m"

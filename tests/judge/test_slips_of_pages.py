@@ -5,25 +5,16 @@ from __future__ import annotations
 import pytest
 
 import pieper
+from oracle.arms.printed import elbow, puma
 from pieper.judge.verdict import HOLDS
 
-LINKS = """[arm]
-convention = "standard"
-length_unit = "m"
-columns = ["theta", "d", "a", "alpha"]
-rows = [["q1", "d1", 0, "pi/2"], ["q2", 0, "a2", 0], ["q3", 0, "a3", 0]]
-values = { d1 = 0.4, a2 = 0.3, a3 = 0.25 }
-"""
-PUMA = """[arm]
-convention = "modified"
-length_unit = "m"
-columns = ["alpha", "a", "d", "theta"]
-rows = [[0, 0, 0, "q1"], ["-90 deg", 0, 0, "q2"], [0, "a2", "d3", "q3"], ["-90 deg", "a3", "d4", "q4"],
-  ["90 deg", 0, 0, "q5"], ["-90 deg", 0, 0, "q6"]]
-values = { a2 = 0.4318, a3 = 0.0203, d3 = 0.15, d4 = 0.4 }
-[symbols]
+LINKS = elbow(0.4, 0.3, 0.25)
+PUMA = (
+    puma(0.4318, 0.15, 0.0203, 0.4)
+    + """[symbols]
 K = "(px^2 + py^2 + pz^2 - a2^2 - a3^2 - d3^2 - d4^2)/(2 a2)"
 """
+)
 TURNED = "(px^2 + py^2 + (pz-d1)^2 - a2^2 - a3^2)/(2 a2 a3)"
 
 

@@ -6,16 +6,9 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.arms import printed
 from pieper.judge.digits import box_least_squares
 
-PUMA = """[arm]
-convention = "modified"
-length_unit = "{unit}"
-columns = ["alpha", "a", "d", "theta"]
-rows = [[0, 0, 0, "q1"], ["-90 deg", 0, 0, "q2"], [0, "a2", "d3", "q3"], ["-90 deg", "a3", "d4", "q4"],
-        ["90 deg", 0, 0, "q5"], ["-90 deg", 0, 0, "q6"]]
-values = {{ a2 = {0}, d3 = {1}, a3 = {2}, d4 = {0} }}
-"""
 LENGTHS = 0.4318, 0.1244, 0.0203
 D = pieper.DH
 ARM = pieper.Arm.from_dh(
@@ -28,7 +21,8 @@ ARM = pieper.Arm.from_dh(
 def puma(unit: str = "m") -> str:
     """Craig's Puma in metres or millimetres."""
     size = 1000 if unit == "mm" else 1
-    return PUMA.format(*(size * x for x in LENGTHS), unit=unit)
+    length, offset, elbow = (size * x for x in LENGTHS)
+    return printed.puma(length, offset, elbow, length, unit)
 
 
 def solutions(arm: str, rows: object, more: str):

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.arms.printed import elbow
 from pieper.judge.keys import UNITS
 
 METRES = {"d1": 0.4, "a2": 0.3, "a3": 0.25}
@@ -20,14 +21,7 @@ FORMULAS = {
 
 def arm(unit: str) -> str:
     """A three-link arm in a unit of length."""
-    values = ", ".join(f"{name} = {value / UNITS[unit]:.10g}" for name, value in METRES.items())
-    return f"""[arm]
-convention = "standard"
-length_unit = "{unit}"
-columns = ["theta", "d", "a", "alpha"]
-rows = [["q1", "d1", 0, "pi/2"], ["q2", 0, "a2", 0], ["q3", 0, "a3", 0]]
-values = {{ {values} }}
-"""
+    return elbow(**{name: float(f"{value / UNITS[unit]:.10g}") for name, value in METRES.items()}, unit=unit)
 
 
 def judged(formula: str, value: str, unit: str = "", own: str = "m"):

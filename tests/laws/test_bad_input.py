@@ -230,7 +230,7 @@ def test_too_few_values_for_several_spare_joints_are_refused_and_the_joints_name
     assert all(name in str(error.value) for name in arm.plan.redundancy) and len(arm.plan.redundancy) == 3
 
 
-def test_thirty_joints_give_their_families_in_bounded_time():
+def test_thirty_joints_give_their_self_motions_in_bounded_time():
     arm = HARD["30 joints"]()
     with within(60):
         sols = arm.ik(arm.fk(np.linspace(-1, 1, 30)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import pi
 
 import numpy as np
@@ -135,16 +136,22 @@ def drawn(rng: np.random.Generator) -> Arm:
     return Arm.from_dh(rows, convention=str(rng.choice(["standard", "modified"])), joint_types=types)
 
 
-def test_drawn_round_arms_tell_all_but_one_in_fifty_of_their_round_postures():
-    rng, tried, lost = np.random.default_rng(3), 0, []
-    while tried < 25:
+def drawn_without_spare(rng: np.random.Generator, count: int) -> Iterator[Arm]:
+    """Yield so many drawn arms that have a plan and no joint to spare."""
+    while count:
         arm = drawn(rng)
         try:
-            if arm.plan.redundancy:
-                continue
+            spare = arm.plan.redundancy
         except pieper.PlanError:
             continue
-        tried += 1
+        if not spare:
+            count -= 1
+            yield arm
+
+
+def test_drawn_round_arms_tell_all_but_one_in_fifty_of_their_round_postures():
+    rng, lost = np.random.default_rng(3), []
+    for arm in drawn_without_spare(rng, 25):
         for k in range(4):
             q = np.where(arm.chain.prismatic, rng.choice([0, 0.1, -0.1, 0.2], arm.n), H * rng.integers(-2, 3, arm.n))
             q = q if k else np.zeros(arm.n)
@@ -154,15 +161,8 @@ def test_drawn_round_arms_tell_all_but_one_in_fifty_of_their_round_postures():
 
 
 def test_no_pose_that_a_round_arm_takes_is_out_of_reach():
-    rng, tried = np.random.default_rng(11), 0
-    while tried < 20:
-        arm = drawn(rng)
-        try:
-            if arm.plan.redundancy:
-                continue
-        except pieper.PlanError:
-            continue
-        tried += 1
+    rng = np.random.default_rng(11)
+    for arm in drawn_without_spare(rng, 20):
         slide = rng.choice([0, 0.1, -0.1, 0.2], (24, arm.n))
         q = np.where(arm.chain.prismatic, slide, K * rng.integers(-4, 5, (24, arm.n)))
         q[12:] += 10.0 ** rng.uniform(-12, -2, (12, 1)) * rng.standard_normal((12, arm.n))

@@ -67,7 +67,7 @@ def test_all_there_is_where_two_directions_are_free_is_read_off(name, what, q):
         assert missed(arm.chain, points, T).max() < 2e-12
         jumps = arm.chain.joints.apart(points[1:], points[:-1])
         assert jumps.max() < 1.6, "a motion is one course, without a jump"
-    verdict = judge(arm, T, rows=sols.all_q, families=motions, m=machine(arm), starts=500)
+    verdict = judge(arm, T, rows=sols.all_q, self_motions=motions, m=machine(arm), starts=500)
     assert not verdict.wrong and not verdict.missing
 
 

@@ -131,8 +131,10 @@ def test_a_map_goes_on_where_it_stopped(tmp_path, monkeypatch):
     with pytest.raises(KeyboardInterrupt):
         small(arm, store=store)
     monkeypatch.setattr(maps, "solved", solve)
-    m = small(arm, store=store)
+    told = []
+    m = small(arm, store=store, progress=lambda *said: told.append(said))
     assert m.computed == whole.computed - 3
+    assert told == [(k, whole.computed) for k in range(4, whole.computed + 1)]
     assert small(arm, store=store).computed == 0
     names = sorted(p.name for p in store.iterdir())
     assert names == sorted(p.name for p in (tmp_path / "other").iterdir())

@@ -163,3 +163,23 @@ def test_a_scara_is_stretched_and_an_arm_without_a_name_for_it_says_which_joints
     assert s[-1] < 1e-6 and "move there without moving the tool" in said
     for j in np.flatnonzero(np.abs(rows[-1]) > 0.2):
         assert crx.joint_names[j] in said
+
+
+@pytest.mark.parametrize("side", [0, 1])
+def test_the_excess_is_how_far_beyond_its_limit_the_joint_would_be_at_the_next_point(side):
+    q = np.array([0.3, 1.2, -2.9, 0.5, 0.8, -0.7])
+    T = DENSO.fk(q)
+    path = np.tile(T, (20, 1, 1))
+    path[:, :3, 3] += np.linspace(0, 1, 20)[:, None] * [0.0, 0.08, 0.05]
+    free = DENSO.follow(path, start=q).q
+    away = free[-1] - free[0]
+    joint = int(np.argmin(away) if side == 0 else np.argmax(away))
+    name, limit = DENSO.joint_names[joint], float(free[0, joint] + 0.4 * away[joint])
+    limits = list(DENSO.limits[joint])
+    limits[side] = limit
+    stop = DENSO.with_limits({name: tuple(limits)}).follow(path, start=q).stop
+    beyond = free[:, joint] < limit if side == 0 else free[:, joint] > limit
+    first = int(np.argmax(beyond))
+    assert first > 1 and stop.cause == "limit" and stop.joint == name
+    assert stop.excess == pytest.approx(abs(free[first, joint] - limit), abs=1e-6)
+    assert first - 1 <= stop.point <= first

@@ -60,7 +60,7 @@ def test_short_arms_have_the_solutions_of_the_oracle(name, task):
     except pieper.PlanError as error:
         pytest.fail(f"no plan: {error}")
     sols = arm.ik(T, task=task)
-    verdict = judge(arm, T, rows=sols.all_q, families=sols.self_motions, task=task, starts=300, at_most=25)
+    verdict = judge(arm, T, rows=sols.all_q, self_motions=sols.self_motions, task=task, starts=300, at_most=25)
     assert not verdict.wrong
     if redundant:
         assert sols.status.name == "REDUNDANT" and sols.self_motions and len(sols.all_q)

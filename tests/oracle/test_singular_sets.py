@@ -19,7 +19,7 @@ def judged(arm, q, starts=600):
     inner = m.inner(sols.all_q)
     on_row = len(inner) and gap(m, inner, m.inner(q)).min() < 3e-5
     assert on_row or any(f.contains(q, 1e-5) for f in sols.self_motions), f"lost: {sols.status.name}, {sols.why}"
-    verdict = judge(arm, T, rows=sols.all_q, families=sols.self_motions, m=m, starts=starts)
+    verdict = judge(arm, T, rows=sols.all_q, self_motions=sols.self_motions, m=m, starts=starts)
     assert not verdict.wrong
     assert not [x for x in verdict.missing if x[2] > 1e-6], f"isolated: {verdict.missing[:2]}"
     assert not verdict.missing, f"neither row nor on a self-motion: {verdict.missing[:2]}"

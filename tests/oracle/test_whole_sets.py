@@ -17,9 +17,9 @@ QUARTER = np.pi / 2
 def agree(arm, T, **how):
     """Assert that arm and oracle agree at T, looking harder before a missing solution is believed."""
     sols = arm.ik(T)
-    verdict = judge(arm, T, rows=sols.all_q, families=sols.self_motions, starts=500, **how)
+    verdict = judge(arm, T, rows=sols.all_q, self_motions=sols.self_motions, starts=500, **how)
     if verdict.unseen:  # the oracle was too lazy
-        verdict = judge(arm, T, rows=sols.all_q, families=sols.self_motions, starts=5000, **how)
+        verdict = judge(arm, T, rows=sols.all_q, self_motions=sols.self_motions, starts=5000, **how)
     assert not verdict.wrong, f"do not close: {verdict.wrong[:2]}"
     assert not verdict.missing, f"missing (q, hits, sigma): {verdict.missing[:2]}, {sols.status.name}: {sols.why}"
     assert not verdict.unseen, f"the oracle has not found {verdict.unseen[:2]}"
@@ -150,7 +150,7 @@ def test_poses_rounded_to_float32_have_the_solutions_of_the_nearest_rotation(nam
         near[:3, :3] = U @ Vt
         sols = arm.ik(T)
         assert sols.rounded
-        verdict = judge(arm, near, rows=sols.all_q, families=sols.self_motions, starts=500, rng=rng)
+        verdict = judge(arm, near, rows=sols.all_q, self_motions=sols.self_motions, starts=500, rng=rng)
         assert not verdict.missing and not verdict.wrong
 
 
@@ -165,7 +165,7 @@ def test_at_the_edge_of_reach_both_roots_are_there_inside_and_none_outside(name,
     sols = arm.ik(T)
     gap = turns_apart(sols.all_q, q).max(1)
     assert gap.min() < 1e-6
-    verdict = judge(arm, T, rows=sols.all_q, families=sols.self_motions, starts=800)
+    verdict = judge(arm, T, rows=sols.all_q, self_motions=sols.self_motions, starts=800)
     assert not verdict.missing and not verdict.wrong
     T[:3, 3] += 0.05 * (arm.frames(q)[4, :3, 3] - arm.frames(q)[1, :3, 3])
     assert machine(arm).n == 6 and not any(_near(arm.ik(T).all_q, q, 0.05))

@@ -1,7 +1,7 @@
 """Change the code in small ways, one at a time, and say which changes no test of their wing notices.
 
-Usage: python -m tests.tools.mutants [--count 200] [--seed 1] [--wings solver motion judge] [--again] [--quick]
-           [--budget 60] [--seconds 300]
+Usage: python -m tests.tools.mutants [--count 200] [--seed 1] [--of solver motion judge] [--wings solver motion judge]
+           [--again] [--quick] [--budget 60] [--seconds 300]
 
 The sample is drawn once from the seed; what was tried is kept in out/mutants.json and not tried again, so a run that
 was stopped goes on. A change is made in a copy of the package (build/mutants), never in the tree. Each file of the
@@ -54,6 +54,9 @@ KEPT = ROOT / "out" / "mutants.json"
 #: The quick tests of each wing, and its slow ones.
 TESTS = {"solver": ["tests/solver", "tests/kernels"], "motion": ["tests/motion"], "judge": ["tests/judge"]}
 SLOW = {"solver": ["tests/laws", "tests/oracle"], "motion": [], "judge": ["tests/papers"]}
+#: The wings a sample is drawn of where none are named; of the others' tests all are quick.
+DRAWN = list(TESTS)
+TESTS |= {wing: [f"tests/{wing}"] for wing in ("document", "equations", "calibration", "maps", "code")}
 #: Processor seconds that an interpreter with pytest may take before its first test, how many times as long as on the
 #: untouched code the tests may take, and as what part of the time that passes work counts at the least.
 STARTS, TIMES_AS_LONG, WAITS = 8.0, 4.0, 30.0
@@ -288,7 +291,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--wings", nargs="*", default=list(TESTS), choices=list(TESTS))
+    parser.add_argument("--of", nargs="*", default=DRAWN, choices=list(TESTS), help="the wings that the sample is of")
+    parser.add_argument("--wings", nargs="*", choices=list(TESTS), help="try those of these wings; none: of all")
     parser.add_argument("--quick", action="store_true", help="leave the folders of slow tests out")
     parser.add_argument(
         "--budget", type=float, help="processor seconds of tests a change at the most; none: all that reach it"
@@ -299,7 +303,8 @@ def main() -> None:
     parser.add_argument("--again", action="store_true", help="try the survivors again, after new tests")
     parser.add_argument("--seconds", type=float, default=math.inf, help="stop after so many, and go on another time")
     args = parser.parse_args()
-    begin, every = time.monotonic(), sample(list(TESTS), args.count, args.seed)
+    args.wings = args.wings or args.of
+    begin, every = time.monotonic(), sample(args.of, args.count, args.seed)
     state = kept(every)
     chosen = [(k, c) for k, c in enumerate(every) if c.path.split("/")[0] in args.wings]
     if args.again:
@@ -310,7 +315,8 @@ def main() -> None:
     copied()
     with_probes(every)
     known = {
-        wing: recorded(state, TESTS[wing] + ([] if args.quick else SLOW[wing]), args.longest) for wing in args.wings
+        wing: recorded(state, TESTS[wing] + ([] if args.quick else SLOW.get(wing, [])), args.longest)
+        for wing in args.wings
     }
     copied()
     for i, (place, change) in enumerate(chosen):

@@ -28,8 +28,8 @@ def screw_motion(twist: Array) -> Array:
     safe = np.where(small, 1.0, angle)
     square = angle * angle
     a = np.where(small, 1 - square / 6, np.sin(safe) / safe)
-    b = np.where(small, 0.5 - square / 24, (1 - np.cos(safe)) / (safe * safe))
-    c = np.where(small, 1 / 6 - square / 120, (safe - np.sin(safe)) / safe**3)
+    b = np.where(small, 0.5 - square / 24, 2 * (np.sin(safe / 2) / safe) ** 2)  # 1 - cos would lose digits
+    c = np.where(small, 1 / 6, (safe - np.sin(safe)) / safe**3)  # times two small turns: no more of it is seen
     K = skew(w)
     K2 = K @ K
     T = np.zeros((*twist.shape[:-1], 4, 4))

@@ -70,9 +70,8 @@ def _between(point: float) -> str:
 def placed(way: Continuation, event: Event) -> Event:
     """Return an event with its place along the path."""
     point = event.s * (len(way.path) - 1)
-    p = way.path[:, :3, 3]
-    pieces = np.linalg.norm(np.diff(p, axis=0), axis=1)
-    k = min(int(point), max(len(p) - 2, 0))
+    pieces = np.linalg.norm(np.diff(way.path[..., 3], axis=0), axis=1)
+    k = min(int(point), max(len(pieces) - 1, 0))
     along = float(pieces[:k].sum() + (point - k) * (pieces[k] if len(pieces) else 0.0))
     return replace(event, metres=along, point=point)
 

@@ -21,7 +21,8 @@ def beyond(plan: Plan, T: Array) -> Bools:
 
 def without_doubt(plan: Plan, T: Array, rows: Rows) -> None:
     """Take the doubt off poses T (N, 4, 4) that have no rows and are beyond reach: nothing can be missing there."""
-    if not np.count_nonzero(rows.flags):
+    doubts = rows.flags & DOUBTS
+    if not np.count_nonzero(doubts):
         return
-    far = np.flatnonzero(((rows.flags & DOUBTS) > 0) & ~rows.valid.any(1))
+    far = np.flatnonzero((doubts > 0) & ~rows.valid.any(1))
     rows.flags[far[beyond(plan, T[far])]] &= np.uint8(255 ^ DOUBTS)

@@ -34,6 +34,17 @@ def test_real_arms_of_the_family_lose_nothing_and_have_even_counts(name):
     assert np.all(valid.sum(1) % 2 == 0)
 
 
+@pytest.mark.parametrize("name", REAL)
+def test_all_but_few_poses_are_solved_without_the_general_solver_behind(name, monkeypatch):
+    monkeypatch.setattr(offset_wrist, "general_model", lambda chain: None)
+    chain = pieper.load(name).plan.chain
+    alone = solver_of(offset_wrist, chain)
+    T = fk(chain, random_joints(chain, np.random.default_rng(10), 1000))
+    _, valid, _, flag = alone.many(T, 1)
+    assert np.count_nonzero(flag) < 30
+    assert (valid[flag == 0].any(1)).all()
+
+
 @pytest.mark.parametrize("alike", [False, True])
 def test_random_arms_of_the_family_lose_nothing(alike):
     rng = np.random.default_rng(20 + alike)

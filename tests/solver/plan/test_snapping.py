@@ -80,7 +80,7 @@ def test_an_arm_that_is_special_as_it_stands_is_not_changed_by_snapping():
     assert not same.plan.snapped and same.plan.drift == 0.0 and same.plan.family == arm.plan.family
 
 
-def test_families_and_arm_angle_of_a_snapped_redundant_arm_are_those_of_the_arm_as_described():
+def test_self_motions_and_arm_angle_of_a_snapped_redundant_arm_are_those_of_the_arm_as_described():
     arm = drawn("kuka-lbr-iiwa-14-r820", 2e-4, snap=1e-2)
     assert arm.plan.snapped and arm.plan.family == "spherical_wrist"
     q = np.array([0.4, -0.7, 0.5, 1.1, -0.6, 0.9, 0.3])

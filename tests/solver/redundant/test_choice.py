@@ -84,3 +84,20 @@ def test_no_value_at_all_is_no_choice():
     T = arm.fk([0, 0.1, 0, -1.5, 0, 1.6, 0.7])
     assert np.array_equal(arm.ik(T, redundancy={}).q, arm.ik(T).q) and len(arm.ik(T).q)
     assert arm.ik_many(T[None], redundancy={}).status[0] == Status.REDUNDANT
+
+
+@pytest.mark.parametrize("held", [1, 5])
+def test_where_two_axes_are_one_at_the_chosen_value_rows_hold_the_pose_and_the_value(held):
+    # of an iiwa axes 1 and 3 are one line at joint 2 = 0, and 5 and 7 at joint 6 = 0: what is left has a freedom
+    arm, q = pieper.load("kuka-lbr-iiwa-14-r820"), np.array([0.3, 0.7, -0.4, -1.2, 0.5, 0.9, -0.2])
+    q[held] = 0.0
+    T, chosen = arm.fk(q), {arm.joint_names[held]: 0.0}
+    one, many = arm.ik(T, redundancy=chosen), arm.ik_many(T[None], redundancy=chosen)
+    rows = many.found.q[0][many.found.valid[0]]
+    assert len(one.all_q) == len(rows) >= 4
+    for found in (one.all_q, rows):
+        assert np.abs(arm.fk(found) - T).max() < 1e-12 and np.abs(found[:, held]).max() < 1e-9
+    # the posture's own mirror images are among them: joint 4 as it is, and the sum about the line that is one
+    a, b = held - 1, held + 1
+    sums = turns_apart(one.all_q[:, a] + one.all_q[:, b], q[a] + q[b])
+    assert (turns_apart(one.all_q[:, 3], q[3]) + sums).min() < 1e-8

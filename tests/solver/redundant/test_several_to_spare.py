@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from pieper import DH, Arm, Status
+from pieper.solver.redundant import self_motions
 
 QUARTER = np.pi / 2
 #: Tables (a, alpha, d, theta) whose postures single lines on what holds the pose do not lead to.
@@ -76,3 +77,13 @@ def test_limits_are_met_by_the_line_that_is_shown_where_any_meets_them():
     assert sols.status == Status.REDUNDANT and len(sols.self_motions) == 1
     point = sols.nearest(q)
     assert narrow.chain.joints.apart(point, q) < 1e-9
+
+
+@pytest.mark.parametrize("seed", [0, 2, 3])
+def test_points_are_drawn_of_both_values_where_none_is_held_at_the_second_as_it_is_asked(seed, monkeypatch):
+    arm, q = made("RRRPPRRR"), drawn("RRRPPRRR", seed)
+    swept = self_motions.sweep(arm.plan, arm.fk(q), 0, arm.plan.defaults)
+    assert len(arm.plan.reduction.locked) == 2 and not swept.valid.any()
+    monkeypatch.setattr(self_motions, "from_anywhere", lambda plan, T, starts: [np.zeros((0, 8))] * len(T))
+    points = self_motions.met(arm.plan, arm.fk(q), arm.plan.defaults)
+    assert len(points) and np.abs(arm.fk(points) - arm.fk(q)).max() < 1e-9

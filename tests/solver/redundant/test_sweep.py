@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import pieper
 from oracle.joints import turns_apart
-from pieper.solver.redundant.sweep import FAR, HALVINGS, HALVINGS_PREPARED, LOST, sweep
+from pieper.solver.redundant.sweep import FAR, HALVINGS, HALVINGS_PREPARED, LOST, beside, sweep
 
 ARMS = ["kuka-lbr-iiwa-14-r820", "rethink-sawyer", "motoman-sia10d"]
 
@@ -43,3 +45,15 @@ def test_slices_hold_the_pose_and_what_continues_a_row_is_mutually_nearest_to_it
             far = any(distance[row, wanted[row]] > FAR for row in np.flatnonzero(kept))
             least = steps.max() / 2 ** (HALVINGS_PREPARED if plan.reduction.at_ends is None else HALVINGS)
             assert not (far or kept.sum() != ok.sum() or kept.sum() != ok_next.sum()) or steps[i] < 1.01 * least
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_curves_that_no_slice_met_are_met_from_poses_beside(name):
+    arm, rng = pieper.load(name), np.random.default_rng(5)
+    q = rng.uniform(-1.5, 1.5, arm.n)
+    T = arm.fk(q)
+    swept = sweep(arm.plan, T, 0, arm.plan.defaults)
+    unseen = replace(swept, valid=np.zeros_like(swept.valid))
+    points = beside(arm.plan, T, 0, arm.plan.defaults, unseen)
+    assert len(points) and np.abs(arm.fk(points) - T).max() < 1e-9
+    assert all(any(m.contains(p) for m in arm.ik(T).self_motions) for p in points[::20])

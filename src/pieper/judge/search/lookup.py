@@ -29,7 +29,7 @@ FIRST = 52  # letters of which products are made; more are seldom in one formula
 MOST_TERMS = 6  # of a sum whose neighbours may share a lost factor
 ENOUGH = 3  # samples at which a product must have the value; the others may be on another branch
 ANCHORS = 4  # samples at which a product is looked up; on a wrong branch a value is of no use
-FAMILIES = ("noa", "r", "p", "P")  # letters of a pose that go together
+ENTRIES = ("noa", "r", "p", "P")  # letters of a pose that go together
 COEFFICIENTS = (Fraction(1), Fraction(2), Fraction(1, 2))
 
 
@@ -257,7 +257,7 @@ def _terms(root: Expr, path: tuple[int, ...], node: Expr, shelf: Shelf, gap: np.
 
 def _foreign(root: Expr, shelf: Shelf, found: Found) -> float:
     """What it costs that a product has letters of the pose's rotation where the formula has none."""
-    if any(_entry(name, family) for name in root.symbols() for family in ("noa", "r")):
+    if any(_entry(name, letters) for name in root.symbols() for letters in ("noa", "r")):
         return 0.0
     letters = [shelf.letters[k] for k in found.letters]
     return 0.1 * sum(isinstance(x, Sym) and (_entry(x.name, "noa") or _entry(x.name, "r")) for x in letters)
@@ -350,7 +350,7 @@ def letters_of(
     """
     used = root.symbols()
     out: dict[str, Expr] = {str(e): e for e in pool.values() if not (e.symbols() and e.symbols() <= own)}
-    kinds = [family for family in FAMILIES if any(_entry(name, family) for name in used)]
+    kinds = [letters for letters in ENTRIES if any(_entry(name, letters) for name in used)]
     if own or isinstance(root, Equation):
         # who uses some letters of the pose has the others too: one that was lost need not stand elsewhere
         if own and not kinds:
@@ -360,7 +360,7 @@ def letters_of(
         if kinds and not {"p", "P"} & set(kinds):
             kinds.append("p")
     for name in env:
-        if any(_entry(name, family) for family in kinds) or name in more or (name in used and not ANGLE.match(name)):
+        if any(_entry(name, letters) for letters in kinds) or name in more or (name in used and not ANGLE.match(name)):
             out.setdefault(name, Mention(name))
     inside, more_sums = 0, dict[str, Expr]()
     for node in root.walk():
@@ -382,10 +382,10 @@ def _turned_to(node: Expr, pair: str) -> Expr | None:
 
 
 def _any_entry(name: str) -> bool:
-    return any(_entry(name, family) for family in FAMILIES)
+    return any(_entry(name, letters) for letters in ENTRIES)
 
 
-def _entry(name: str, family: str) -> bool:
-    if family == "r":
+def _entry(name: str, letters: str) -> bool:
+    if letters == "r":
         return len(name) == 3 and name[0] == "r" and name[1:].isdigit() and name[2] != "4"
-    return len(name) == 2 and name[0] in family and name[1] in "xyz"
+    return len(name) == 2 and name[0] in letters and name[1] in "xyz"

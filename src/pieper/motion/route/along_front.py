@@ -78,13 +78,12 @@ def _cheapest(task: Task, stations: list[Array], longest: float) -> Array | None
     """Return the cheapest chain (N, m) over points of the stations whose steps are at most so long."""
     world = task.setting
     weights, unit = world.weights, world.chain.joints.unit
-    arm = np.arange(world.m) < world.n
     cost, came = np.zeros(len(stations[0])), list[Indices]()
     for a, b in zip(stations[:-1], stations[1:], strict=True):
         least, best = np.full(len(b), np.inf), np.zeros(len(b), np.int64)
         for some, near in _near(world, a, b, longest):
             e = world.chain.joints.way(b[some, None], a[None, near])
-            size = np.abs(e / unit)[..., arm].max(-1)
+            size = np.abs(e / unit)[..., : world.n].max(-1)
             steps = (np.sqrt(weights) * np.abs(e)).max(-1) if task.largest else (weights * e * e).sum(-1)
             total = np.where(size <= longest, steps + cost[near], np.inf)
             least[some], best[some] = total.min(1), near[total.argmin(1)]

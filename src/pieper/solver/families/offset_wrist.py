@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from pieper import _kernel
+from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
 from pieper.solver.families.family import Family, KernelSpec
@@ -104,8 +105,7 @@ FAMILY = Family(
 def _measured(chain: Chain) -> dict[str, Any]:
     """Return the arm at zero, seen from axes 1 and 2, lengths per characteristic length (see offset_wrist.hpp)."""
     u, p = chain.axes, chain.points
-    z, y = _unit(u[0]), u[1] - (u[1] @ u[0]) * u[0]
-    y = _unit(y)
+    z, y = u[0], _across(u[1], u[0])
     x = np.cross(y, z)
     to_base = np.stack([x, y, z])
     base = p[0] + ((p[1] - p[0]) @ z) * z
@@ -125,8 +125,7 @@ def _measured(chain: Chain) -> dict[str, Any]:
     elbow, forearm, along = (v / max(float(np.linalg.norm(v)), TINY) for v in (elbow, forearm, in_plane))
     lean = np.array([forearm @ along, forearm[0] * along[1] - forearm[1] * along[0]])
     part = (axes[4] @ axes[5]) * axes[5]
-    across4 = _unit(axes[4] - (axes[4] @ axes[3]) * axes[3])
-    across5 = _unit(axes[5] - (axes[5] @ axes[4]) * axes[4])
+    across4, across5 = _across(axes[4], axes[3]), _across(axes[5], axes[4])
     return {
         "to_base": to_base,
         "base": base,
@@ -158,5 +157,7 @@ def _measured(chain: Chain) -> dict[str, Any]:
     }
 
 
-def _unit(v: np.ndarray) -> np.ndarray:
-    return v / np.linalg.norm(v)
+def _across(v: Array, axis: Array) -> Array:
+    """Return the direction (3,) of v's part across an axis of length one."""
+    part = v - (v @ axis) * axis
+    return part / np.linalg.norm(part)

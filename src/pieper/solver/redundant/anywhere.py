@@ -57,7 +57,9 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
         for what, of in ((INSIDE, within), (OUTSIDE, ~within)):
             if not np.count_nonzero(of):
                 continue
-            first, at = np.unique(pose[of], return_index=True)
+            first, at = pose[of], np.zeros(1, np.int64)
+            if len(first) > 1:
+                first, at = np.unique(first, return_index=True)
             new = kind[first] < what
             kind[first[new]], q[first[new]] = what, rows[of][at[new]]
         left = left[kind[left] < INSIDE]
@@ -70,7 +72,7 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
         starts = spread(full, low, high, count)
         for part in parts():
             pose = np.repeat(part, count)
-            rows, off = descended(full, np.tile(starts, (len(part), 1)), T[pose], low, high)
+            rows, off = descended(full, starts[np.arange(len(pose)) % count], T[pose], low, high)
             np.minimum.at(least, pose, off)
             held = off <= CLOSES
             keep(pose[held], rows[held], np.ones(int(held.sum()), bool))
@@ -136,4 +138,4 @@ def spare_values(plan: Plan, q: Array) -> Array:
     lower, upper = plan.full_limits[locked].T
     turned = short_way(values)
     keep = plan.exact.full.prismatic[locked] | (turned < lower) | (turned > upper)
-    return np.where(keep, np.clip(values, lower, upper), turned)
+    return np.where(keep, np.minimum(np.maximum(values, lower), upper), turned)

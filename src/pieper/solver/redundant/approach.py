@@ -23,10 +23,10 @@ def holding(chain: Chain, q: Array, T: Array) -> Array:
 
 
 def pulled(chain: Chain, q: Array, T: Array, steps: int) -> Array:
-    """Return joint vectors (k, n) after so many shortest Newton steps towards poses T, each bounded."""
+    """Return joint vectors (k, n) after so many shortest Newton steps towards poses T (k, 4, 4), each bounded."""
 
     def miss(at: Array, index: Indices) -> Array:
-        return pose_difference(chain, at, T if T.ndim == 2 else T[index])
+        return pose_difference(chain, at, T[index])
 
     def slope(at: Array, index: Indices) -> Array:
         return scaled_jacobian(chain, at)

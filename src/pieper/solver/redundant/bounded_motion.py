@@ -56,7 +56,7 @@ class BoundedMotion(TracedMotion):
         known[self.marks] = True
         ok = self._within(self.samples)
         # between neighbours: inside where the middle is; where samples change without a stop, halving places it
-        middle = self._middles() if n > 1 else np.zeros(0, bool)
+        middle = self._middles()
         pieces: list[tuple[float, float]] = []
         for i in range(n - 1):
             a, b, mid = u[i], u[i + 1], (u[i] + u[i + 1]) / 2
@@ -219,15 +219,12 @@ def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
     placed.sort(key=lambda entry: entry[0])
     out: list[Array] = [samples[0]]
     marks: list[int] = []
-    previous = 0
-    for place, point in [*placed, (float(len(samples) - 1), samples[-1])]:
+    for place, point in placed:
         whole = int(np.ceil(place))
-        out.extend(samples[max(previous, 1) : whole])
-        previous = max(previous, whole)
-        if place < len(samples) - 1 or point is not samples[-1]:
-            marks.append(len(out))
-            out.append(point)
-    out.append(samples[-1])
+        out.extend(samples[len(out) - len(marks) : whole])
+        marks.append(len(out))
+        out.append(point)
+    out.extend(samples[len(out) - len(marks) :])
     return np.array(out), np.array(marks, np.int64)
 
 
@@ -237,8 +234,7 @@ def _turned(motion: SelfMotion, samples: Array, marks: Indices) -> tuple[Array, 
     ahead = newton(motion.chain, ahead, motion.T, steps=6, cutoff=CURVE_RANK)
     leaving = marks[~motion.chain.joints.inside_limits(ahead, motion.limits)[1]]
     first = int(leaving[0]) if len(leaving) else int(marks[0])
-    shift = samples[-1] - samples[0]
-    whole = motion.chain.joints.unwound(np.zeros_like(shift), shift, FREE)
+    whole = motion.chain.joints.unwound(samples[0], samples[-1], FREE) - samples[0]
     out = np.concatenate([samples[first:-1], samples[: first + 1] + whole])
     at = (marks - first) % (len(samples) - 1)
     return out, np.unique(np.concatenate([at, [0, len(out) - 1]]))

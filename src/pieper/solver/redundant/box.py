@@ -34,9 +34,10 @@ NEARING = 60
 
 def spread(chain: Chain, low: Array, high: Array, count: int, seed: int = 5) -> Array:
     """Return postures (count, n) spread evenly over a box, the first one its middle; the same ones every time."""
-    unit = np.where(chain.prismatic, chain.length, np.pi)
-    part = (sample_joints(chain, count, seed=seed) / unit + 1) / 2
-    part[0] = 0.5
+    part = np.full((count, chain.n), 0.5)
+    if count > 1:
+        unit = np.where(chain.prismatic, chain.length, np.pi)
+        part[1:] = ((sample_joints(chain, count, seed=seed) / unit + 1) / 2)[1:]
     return low + part * (high - low)
 
 
@@ -53,12 +54,14 @@ def descended(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> tupl
     Returns:
         (k, n), and by how much the pose is missed (k,), per length and rad: held where that is below `CLOSES`.
     """
+    lower, upper = np.empty(q.shape), np.empty(q.shape)
+    lower[:], upper[:] = low, high
     return _kernel.descend(
         chain.plain,
         q=q,
         T=T,
-        lower=np.broadcast_to(low, q.shape),
-        upper=np.broadcast_to(high, q.shape),
+        lower=lower,
+        upper=upper,
         steps=STEPS,
         again=MADE_AGAIN,
         longest=LONGEST,
@@ -76,10 +79,12 @@ def well_inside(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> Ar
     which the pose is still held.
     """
     out, left = np.array(q), np.arange(len(q))
+    width = np.minimum(high - low, np.where(chain.prismatic, chain.length, np.pi))
     for part in BOX_ROOM:
-        margin = part * np.minimum(high - low, np.where(chain.prismatic, chain.length, np.pi))
+        margin = part * width
         inner = low + margin, high - margin
-        moved, away = descended(chain, np.clip(q[left], *inner), T[left], *inner)
+        start = np.minimum(np.maximum(q[left], inner[0]), inner[1])
+        moved, away = descended(chain, start, T[left], *inner)
         held = away <= CLOSES
         out[left[held]] = moved[held]
         left = left[~held]
@@ -91,9 +96,11 @@ def well_inside(chain: Chain, q: Array, T: Array, low: Array, high: Array) -> Ar
 def box(chain: Chain, limits: Array) -> tuple[Array, Array]:
     """Return the ends (n,) of the box that is searched: limits, else a turn about zero, or twice the arm's length."""
     reach = np.where(chain.prismatic, 2 * chain.length, np.pi)
-    low, high = np.isfinite(limits[:, 0]), np.isfinite(limits[:, 1])
-    lower = np.where(low, limits[:, 0], np.where(high, np.minimum(-reach, limits[:, 1] - 2 * reach), -reach))
-    return lower, np.where(high, limits[:, 1], np.where(low, np.maximum(reach, limits[:, 0] + 2 * reach), reach))
+    low, high = limits.T
+    return (
+        np.where(np.isfinite(low), low, np.minimum(-reach, high - 2 * reach)),
+        np.where(np.isfinite(high), high, np.maximum(reach, low + 2 * reach)),
+    )
 
 
 def closest(chain: Chain, q: Array, T: Array, limits: Array, now: Array, weights: Array) -> Array:

@@ -33,10 +33,10 @@ def choose_elsewhere(plan: Plan, T: Array, rows: Rows, threads: int) -> tuple[Ro
     if not len(left):
         return rows, kind
     found = anywhere(plan, T[left], threads)
-    kind[left] = np.maximum(found.kind, rows.valid[left].any(1))
+    some = rows.valid[left].any(1)
+    kind[left] = np.maximum(found.kind, some)
     # solutions at the value that nobody chose are as good as others outside the limits
-    moved = found.kind > 0
-    moved &= (found.kind == INSIDE) | ~rows.valid[left].any(1)
+    moved = (found.kind == INSIDE) | ((found.kind > 0) & ~some)
     if plan.nearly_free:
         rows = replace(rows, flags=rows.flags.copy())
         rows.flags[left[kind[left] == 0]] |= np.uint8(int(Flag.UNCERTAIN))
@@ -44,6 +44,8 @@ def choose_elsewhere(plan: Plan, T: Array, rows: Rows, threads: int) -> tuple[Ro
         return rows, kind
     at, points = left[moved], found.q[moved]
     there = _rows_through(plan, T[at], points, threads)
+    if len(at) == len(T):
+        return _widened(there, rows.q.shape[1]), kind
     rows = _widened(rows, there.q.shape[1])
     q, valid, inside = rows.q.copy(), rows.valid.copy(), rows.inside.copy()
     q[at], valid[at], inside[at] = 0.0, False, False

@@ -180,7 +180,7 @@ def beside(plan: Plan, T: Array, coordinate: int, values: Array, swept: Sweep) -
     q, twists = q[slices, rows], np.repeat(twists, len(at), 0)[slices]
     for k in range(1, FOLLOW_STAGES + 1):
         q = pulled(full, q, stepped(T, twists * FOLLOW_RATIO**k, full.length), 3)
-    return holding(full, pulled(full, q, T, 12), T)
+    return holding(full, pulled(full, q, np.broadcast_to(T, (len(q), 4, 4)), 12), T)
 
 
 def unknown(plan: Plan, swept: Sweep, coordinate: int, q: Array) -> Array:
