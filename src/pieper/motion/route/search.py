@@ -24,6 +24,10 @@ STATIONS, FINER = 51, (1, 2, 4)
 #: Stations of a ladder beside the first, and how much finer its turns are. A move by one cell between two of many
 #: stations costs more than the same spread over them all: what turns slowly is found over few stations and many turns.
 SLOW = (13, 4)
+#: Cells that the joints should move by from station to station of that ladder at least: a move that must be one of
+#: whole cells costs up to a twelfth of the square of one too much, which decides between turns far apart where all that
+#: moves is little. Then there are fewer stations, of these at least so many.
+CELLS_A_STEP, FEWEST = 4.0, 4
 #: By how much rows of the first ladder may be outside (rad) where none inside leads on.
 WIDER = 0.08
 #: Stations where nothing is free.
@@ -160,7 +164,16 @@ def _slow(task: Task, at: Array) -> Array | None:
     cells = grid(setting, SLOW[1], 0.0)
     few = at[stations(len(at), SLOW[0])]
     way = _climbed(task, cells, _ladder(task, cells, few), few, False, 0.0)
-    return None if way is None else _between(way.x, few, at)
+    if way is None:
+        return None
+    cell = max(float(np.ptp(c.values)) / max(len(c.values) - 1, 1) for c in cells.coordinates)
+    moved = np.sqrt((np.diff(way.x, axis=0) ** 2 @ setting.weights).astype(np.float64)).sum()
+    enough = max(FEWEST, 1 + int(np.ceil(moved / (CELLS_A_STEP * cell))))
+    if cell > 0 and enough < len(few):
+        fewer = at[stations(len(at), enough)]
+        again = _climbed(task, cells, _ladder(task, cells, fewer), fewer, False, 0.0)
+        few, way = (few, way) if again is None else (fewer, again)
+    return _between(way.x, few, at)
 
 
 def _upright(task: Task, at: Array) -> Array | None:
