@@ -1,4 +1,4 @@
-"""The library's sentences in the units that a command speaks: they say degrees and millimetres, each beside its number."""
+"""Sentences of the library in the units a command speaks: they say degrees and millimetres beside each number."""
 
 from __future__ import annotations
 

@@ -18,6 +18,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import rotation_z
+from pieper.motion.route.keep import Keep
 from pieper.motion.route.setting import Setting
 from pieper.tolerances import BOX_ROUNDING, LIMIT_SLACK, MULTIPLIER_DAMPED, TINY
 
@@ -25,13 +26,17 @@ from pieper.tolerances import BOX_ROUNDING, LIMIT_SLACK, MULTIPLIER_DAMPED, TINY
 MOST, AT_ONCE = 2_000_000, 20_000
 
 
-def nothing_within_cone(setting: Setting, T: Array, most: int = MOST) -> int | None:
+def nothing_within_cone(setting: Setting, T: Array, most: int = MOST, keep: Keep | None = None) -> int | None:
     """Return how many boxes were looked at to prove that no posture inside the limits holds a pose; None where not.
+
+    With what is to be kept: that none which keeps the clearance does. Of a box whose middle is nearer to what stands
+    around than all its joints can move away none does.
 
     Args:
         setting: What is solved.
         T: (4, 4) the pose, its z axis the one that may tilt, m.
         most: Boxes that may be looked at.
+        keep: What is to be kept beside limits, or None.
     """
     limits = setting.plan.limits
     turns = ~setting.plan.prismatic
@@ -49,6 +54,9 @@ def nothing_within_cone(setting: Setting, T: Array, most: int = MOST) -> int | N
         now, h = middle[-AT_ONCE:], half[-AT_ONCE:]
         middle, half = middle[:-AT_ONCE], half[:-AT_ONCE]
         out, split = _ruled_out(setting, T[:3, 3], held, now, h)
+        if keep is not None and keep.at_most is not None:
+            left = np.flatnonzero(~out)
+            out[left] = keep.at_most(now[left], h[left]) < keep.clearance
         now, h, split = now[~out], h[~out], split[~out]
         one: Bools = np.equal(split[:, None], np.arange(h.shape[1]))
         smaller: Array = np.where(one, h / 2, h)

@@ -109,7 +109,7 @@ def _held(task: Task) -> Found | None:
     A route beside a singular posture may swing faster than any ladder steps; held, its branches are carried.
     """
     world, free = task.setting, task.setting.free
-    if not world.turn_on_grid or not free.turns or world.spare > 1:
+    if not world.turn_on_grid or not free.turns or world.spare > 1 or world.tilts:
         return None
     low, high = free.interval
     turn = min(max(0.0, low), high)
