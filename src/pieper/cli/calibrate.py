@@ -120,7 +120,7 @@ def command(
         )
         return DONE
     for line in fit.explain().splitlines():
-        say(line)
+        say(line, units)
     if out:
         print(out)
     return DONE

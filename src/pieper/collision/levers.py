@@ -42,7 +42,8 @@ def at_most(model: Model, q: Array, radius: Array) -> Array:
     Args:
         model: What must keep apart.
         q: (N, n) joint vectors, rad or m.
-        radius: (N,) how far from q the axes' values may be, root of the sum of squares (rad; slides per length).
+        radius: How far from q the axes' values may be: (N,) root of the sum of squares (rad; slides per length), or
+            (N, axes) each of them (rad or m).
 
     Returns:
         Infinite where the nearest pair is one whose distance the kernel has not.
@@ -52,6 +53,10 @@ def at_most(model: Model, q: Array, radius: Array) -> Array:
     out = np.full(len(q), np.inf)
     for pair in np.unique(which[which < model.known]).tolist():
         rows = np.flatnonzero(which == pair)
+        if radius.ndim == 2:
+            ways = levers(model, pair, q[rows], radius[rows])
+            out[rows] = metres[rows] + (radius[rows] * ways).sum(1) + model.slack
+            continue
         ways = unit * levers(model, pair, q[rows], radius[rows, None] * unit)
         out[rows] = metres[rows] + radius[rows] * np.linalg.norm(ways, axis=1) + model.slack
     return out

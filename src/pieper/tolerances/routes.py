@@ -64,3 +64,5 @@ BOX_ROUNDING = 1e-11
 MULTIPLIER_DAMPED = 1e-3
 #: Points of a path farther apart (per length; rad) are looked between before a route is refused.
 POINTS_FAR_APART = 0.05
+#: Ways that cost the same but for this part of it are taken for one, told with its wrist flipped.
+SAME_COST = 1e-9

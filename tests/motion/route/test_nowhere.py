@@ -78,6 +78,50 @@ def test_what_holds_a_pose_is_never_ruled_out(name):
         assert nothing_within_cone(world(few, T, pieper.Freedom(cone=cone)), T, 60_000) is None
 
 
+@pytest.mark.parametrize("turn", [(0.0, 0.0), (-0.02, 0.3), (1.0, 3.9), (-3.0, 3.0)])
+@pytest.mark.parametrize("name", ["abb-irb2400", "robotis-openmanipulator-x"])
+def test_a_turn_at_the_ends_of_its_interval_is_held_and_a_little_beyond_them_is_not(name, turn):
+    """The turn is the last of R_path Rx(a) Ry(b) Rz(turn), whatever the tilt is."""
+    arm, rng = pieper.load(name), np.random.default_rng(9)
+    low, high = turn
+    for k in range(8):
+        q, few = posture(arm, rng), None
+        a, b = 0.2 * rng.uniform(-1, 1, 2)
+        end, out = (low, -1.0) if k % 2 else (high, 1.0)
+        few = near(arm, q, 10.0 ** rng.uniform(-4, -2.5))
+        free = pieper.Freedom(turn=turn, cone=0.4)
+        for beyond, held in ((0.0, True), (-1e-3, high > low), (0.05, high - low > np.pi)):
+            own = pieper.pose(0, 0, 0, rotvec=(a, 0, 0)) @ pieper.pose(0, 0, 0, rotvec=(0, b, 0))
+            T = arm.fk(q) @ np.linalg.inv(own @ pieper.pose(0, 0, 0, rotvec=(0, 0, end + out * beyond)))
+            if held:
+                assert nothing_within_cone(world(few, T, free), T, 20_000) is None
+            elif beyond > 0:
+                assert nothing_within_cone(world(few, T, free), T, 60_000) is not None
+
+
+def test_an_arm_that_cannot_lean_without_turning_is_refused_where_its_turn_is_held():
+    # of an arm that leans in the plane of its first joint alone only the first and the last pose of a line are held
+    arm = pieper.load("robotis-openmanipulator-x")
+    for k in range(4):
+        rng = np.random.default_rng([k, 3])
+        low, high = np.clip(arm.limits, -2.5, 2.5).T
+        q = rng.uniform(low + 0.2 * (high - low), high - 0.2 * (high - low))
+        path = pieper.line(arm.fk(q), arm.fk(np.clip(q + rng.uniform(-0.1, 0.1, 4), low, high)), 12)
+        route = arm.route(path, free=pieper.Freedom(axis="xz"[k % 2], cone=0.1, turn=(0, 0)))
+        assert route.verdict is pieper.Verdict.IMPOSSIBLE and "boxes of joint values" in route.reason
+        # by the arm's own angles: the point tells the first joint, and no pitch at all leaves the turn at zero
+        at = path[int(round(route.blocked.begun * 11))]
+        pan = np.arctan2(at[1, 3], at[0, 3])
+        z = pieper.Freedom(axis=route.free.axis).to_z[:3, :3]
+        turns = []
+        for pitch in np.linspace(-np.pi, np.pi, 20_001):
+            R = pieper.pose(0, 0, 0, rotvec=(0, 0, pan)) @ pieper.pose(0, 0, 0, rotvec=(0, pitch, 0))
+            D = z.T @ at[:3, :3].T @ R[:3, :3] @ z
+            if D[2, 2] > np.cos(0.11):
+                turns.append(np.arctan2(-D[0, 1], D[0, 0]))
+        assert len(turns) > 100 and (np.all(np.array(turns) > 0) or np.all(np.array(turns) < 0))
+
+
 def test_a_route_within_a_cone_is_refused_with_proof_and_with_more_room_is_found():
     arm = pieper.load("abb-irb2400")
     arm = arm.with_tool(arm.tool @ pieper.pose(0.05, 0.02, 0.35, rpy=(0, 0.6, 0)))

@@ -25,8 +25,8 @@ class Keep:
         distance: Distances (k,) of joint vectors (k, n), m; None without a scene.
         clear: Whether joint moves through (N, n) are proved clear by the clearance; None without a scene.
         nearest: What is nearest to what at a joint vector (n,), in words; None without a scene.
-        at_most: Upper bounds (k,) of the distance at all postures whose axes are within (k,) of joint vectors (k, n);
-            None without a scene.
+        at_most: Upper bounds (k,) of the distance at all postures whose axes are within (k,), or each within (k, axes),
+            of joint vectors (k, n); None without a scene.
     """
 
     singularity: float = 0.0

@@ -18,6 +18,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.forward import fk
 from pieper.kinematics.pose import rotation_z
+from pieper.motion.route.keep import Keep
 from pieper.motion.route.setting import Setting
 from pieper.tolerances import BOX_ROUNDING, LIMIT_SLACK, MULTIPLIER_DAMPED, TINY
 
@@ -25,13 +26,17 @@ from pieper.tolerances import BOX_ROUNDING, LIMIT_SLACK, MULTIPLIER_DAMPED, TINY
 MOST, AT_ONCE = 2_000_000, 20_000
 
 
-def nothing_within_cone(setting: Setting, T: Array, most: int = MOST) -> int | None:
+def nothing_within_cone(setting: Setting, T: Array, most: int = MOST, keep: Keep | None = None) -> int | None:
     """Return how many boxes were looked at to prove that no posture inside the limits holds a pose; None where not.
+
+    With what is to be kept: that none which keeps the clearance does. Of a box whose middle is nearer to what stands
+    around than all its joints can move away none does.
 
     Args:
         setting: What is solved.
         T: (4, 4) the pose, its z axis the one that may tilt, m.
         most: Boxes that may be looked at.
+        keep: What is to be kept beside limits, or None.
     """
     limits = setting.plan.limits
     turns = ~setting.plan.prismatic
@@ -49,6 +54,9 @@ def nothing_within_cone(setting: Setting, T: Array, most: int = MOST) -> int | N
         now, h = middle[-AT_ONCE:], half[-AT_ONCE:]
         middle, half = middle[:-AT_ONCE], half[:-AT_ONCE]
         out, split = _ruled_out(setting, T[:3, 3], held, now, h)
+        if keep is not None and keep.at_most is not None:
+            left = np.flatnonzero(~out)
+            out[left] = keep.at_most(now[left], h[left]) < keep.clearance
         now, h, split = now[~out], h[~out], split[~out]
         one: Bools = np.equal(split[:, None], np.arange(h.shape[1]))
         smaller: Array = np.where(one, h / 2, h)
@@ -58,27 +66,34 @@ def nothing_within_cone(setting: Setting, T: Array, most: int = MOST) -> int | N
     return looked
 
 
-def _held(setting: Setting, T: Array) -> list[tuple[int, Array, float]]:
-    """Return columns of the tool's orientation, the directions (3,) they are near to, and the least cosines with these.
+def _held(setting: Setting, T: Array) -> list[tuple[Array, Array, float]]:
+    """Return directions (3,) of the tool, those (3,) of the pose they are near to, and the least cosines with these.
 
     The orientation is T's tilted and then turned: a turn within w of a middle one and a tilt by an angle t in all move
     no direction by more than w + t. Two tilts about axes across each other, whose cosines have a product of at least c
     and so a sum of at least 2 sqrt(c), make up one by no more than cos t = sqrt(c) + (c - 1) / 2.
+
+    Tilted by b about y and then turned by t the pose's x axis has cos b cos t and -cos b sin t along the tool's x and
+    y, whatever the tilt about x: where low <= t <= high <= low + pi, sin(t - low) and sin(high - t) are not negative.
     """
     if setting.curves.task == "position":
         return []
     c = float(np.cos(setting.free.cone))
-    out = [(2, T[:3, 2], c - BOX_ROUNDING)]
+    own = np.eye(3)
+    out = [(own[2], T[:3, 2], c - BOX_ROUNDING)]
     low, high = setting.free.interval if setting.turns else (0.0, 0.0)
     most = (high - low) / 2 + float(np.arccos(min(1.0, np.sqrt(c) + (c - 1) / 2)))
     if most < np.pi:
         R = T[:3, :3] @ rotation_z(np.asarray((low + high) / 2))[:3, :3]
-        out += [(k, R[:, k], float(np.cos(most)) - BOX_ROUNDING) for k in (0, 1)]
+        out += [(own[k], R[:, k], float(np.cos(most)) - BOX_ROUNDING) for k in (0, 1)]
+    if high - low <= np.pi:
+        for end, sense in ((low, -1.0), (high, 1.0)):
+            out.append((sense * np.array([np.sin(end), np.cos(end), 0.0]), T[:3, 0], -BOX_ROUNDING))
     return out
 
 
 def _ruled_out(
-    setting: Setting, p: Array, held: list[tuple[int, Array, float]], q: Array, h: Array
+    setting: Setting, p: Array, held: list[tuple[Array, Array, float]], q: Array, h: Array
 ) -> tuple[Bools, Array]:
     """Return which boxes (k, n) hold nothing (k,), and along which joint to halve each (k,)."""
     chain, turning = setting.plan.chain, (~setting.plan.prismatic).astype(float)
@@ -106,8 +121,8 @@ def _ruled_out(
     square: Array = linear @ np.swapaxes(linear, 1, 2)
     damp: Array = MULTIPLIER_DAMPED * np.trace(square, axis1=1, axis2=2) + TINY
     square = square + damp[:, None, None] * np.eye(3)
-    for column, direction, cosine in held:
-        now: Array = here[:, :3, column]
+    for own, direction, cosine in held:
+        now: Array = here[:, :3, :3] @ own
         g: Array = _apply(np.swapaxes(np.cross(axes, now[:, :, None], axis=1), 1, 2), np.tile(direction, (len(q), 1)))
         best = np.asarray(np.linalg.solve(square, _apply(linear, g)[..., None]), np.float64)[..., 0]
         for by in (np.zeros_like(best), best):

@@ -35,6 +35,8 @@ STATIONS, DENSE = 100, 400
 #: Poses at which it is looked whether anything holds them where more than one coordinate is free, and how many of them
 #: are tried to prove of those that no row holds.
 ONE_POSE_AT, ONE_POSE_TRIED = 26, 3
+#: Poses that something in the way closes for all rows and that are tried to prove, and boxes looked at for each.
+IN_THE_WAY_TRIED, IN_THE_WAY_BOXES = 1, 3_000_000
 
 
 def refusal(task: Task, thorough: bool) -> tuple[Verdict, Blocked | None, str]:
@@ -53,7 +55,8 @@ def refusal(task: Task, thorough: bool) -> tuple[Verdict, Blocked | None, str]:
     places = missed(task)
     closed = None if thorough else closed_by_scene(task, places)
     if closed is not None:
-        return _in_the_way(task, *closed)
+        place, points = closed
+        return _in_the_way(task, place, plural(points, "point"))
     more = task.keep.anything or task.turn_step is not None
     if more and search(replace(task, keep=Keep(), turn_step=None)) is not None:
         # limits alone let a route through: what closes the way can only be what is to be kept beside them
@@ -150,6 +153,13 @@ def _at_one_pose(task: Task) -> tuple[Verdict, Blocked | None, str]:
                 "were ruled out."
             )
             return Verdict.IMPOSSIBLE, blocked, reason
+    places = missed(task)
+    for place in places[:IN_THE_WAY_TRIED]:
+        boxes = nothing_within_cone(setting, setting.at(place.s), IN_THE_WAY_BOXES, task.keep)
+        if boxes is not None:
+            return _in_the_way(task, place, plural(boxes, "box", "boxes") + " of joint values")
+    if task.keep.anything or task.turn_step is not None:
+        return _uncertain(task, places)
     which = "none was proved to be one" if empty.any() else "none is one"
     one = setting.spare == 1
     free = f"{plural(setting.spare, 'coordinate')} {'is' if one else 'are'}"
@@ -169,6 +179,7 @@ def _middles(empty: Bools) -> list[int]:
 
 
 def _uncertain(task: Task, places: list[Missed]) -> tuple[Verdict, Blocked | None, str]:
+    """Return that nothing is known, with the place of the path that something in the way closes most."""
     if task.keep.anything or task.turn_step is not None:
         where = f" {_misses(task, places[0])}" if places else ""
         return (
@@ -197,11 +208,11 @@ def _misses(task: Task, place: Missed, that: str = "that was looked at ") -> str
     return f"At {place.s:.4g} of the path no posture {that}{kept}: {best} {pair} {'are ' if that else ''}{apart}."
 
 
-def _in_the_way(task: Task, place: Missed, looked: int) -> tuple[Verdict, Blocked, str]:
+def _in_the_way(task: Task, place: Missed, looked: str) -> tuple[Verdict, Blocked, str]:
     why = _misses(task, place, "")
     reason = (
         f"Impossible: no motion gets past {place.s:.6g} of the path, whatever the branch, the turn and the whole turns."
-        f" All that holds the pose there inside the limits was looked at with proved bounds: {plural(looked, 'point')}."
+        f" All that holds the pose there inside the limits was looked at with proved bounds: {looked}."
     )
     return Verdict.IMPOSSIBLE, Blocked((place.s, place.s), (), why, place.s, Opening(task, ())), reason
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.joints import inside
+from pieper.motion.route.drift import drifting
 from pieper.motion.route.freedom import Freedom
 from pieper.motion.route.grid import TURNS, Grid, grid
 from pieper.motion.route.keep import Keep
@@ -17,13 +19,15 @@ from pieper.motion.route.setting import Setting, with_turn_limits
 from pieper.motion.route.setting import setting as setting_of
 from pieper.motion.route.smooth import Shape, Smoothed, smooth
 from pieper.motion.route.together import branches, continuous, one_branch
-from pieper.tolerances import CONE_INSIDE, LIMIT_SLACK, NO_LOOK_BETWEEN, POINTS_FAR_APART
+from pieper.tolerances import CONE_INSIDE, LIMIT_SLACK, NO_LOOK_BETWEEN, POINTS_FAR_APART, SAME_COST
 
 #: Stations of the first ladder, and how often twice as many are tried, each with a finer grid.
 STATIONS, FINER = 51, (1, 2, 4)
 #: Stations of a ladder beside the first, and how much finer its turns are. A move by one cell between two of many
 #: stations costs more than the same spread over them all: what turns slowly is found over few stations and many turns.
 SLOW = (13, 4)
+#: Ways over such few stations that are made short to see which is cheapest.
+DRIFTS = 8
 #: By how much rows of the first ladder may be outside (rad) where none inside leads on.
 WIDER = 0.08
 #: Stations where nothing is free.
@@ -105,7 +109,7 @@ def _held(task: Task) -> Found | None:
     A route beside a singular posture may swing faster than any ladder steps; held, its branches are carried.
     """
     world, free = task.setting, task.setting.free
-    if not world.turn_on_grid or not free.turns or world.spare > 1:
+    if not world.turn_on_grid or not free.turns or world.spare > 1 or world.tilts:
         return None
     low, high = free.interval
     turn = min(max(0.0, low), high)
@@ -155,12 +159,35 @@ def _ladder(task: Task, cells: Grid, at: Array) -> Rungs:
 
 
 def _slow(task: Task, at: Array) -> Array | None:
-    """Return what a ladder of few stations and many turns leads to, at stations (M,); None where it leads nowhere."""
-    setting = task.setting
-    cells = grid(setting, SLOW[1], 0.0)
+    """Return what leads over few stations where the turn moves slowly, at stations (M,); None where nothing does."""
     few = at[stations(len(at), SLOW[0])]
-    way = _climbed(task, cells, _ladder(task, cells, few), few, False, 0.0)
-    return None if way is None else _between(way.x, few, at)
+    cells = grid(task.setting, SLOW[1], 0.0)
+    found = _climbed(task, cells, _ladder(task, cells, few), few, False, 0.0)
+    ways = [*_drifting(task, few)] + ([] if found is None else [found.x])
+    points, best = np.round(few).astype(np.int64), None
+    shape = _shape(task, points, np.diff(few), _told(task))
+    for way in ways:
+        x, on = task.setting.on(way, task.setting.path[points])
+        if on.all():
+            short = smooth(shape, x, rough=True)
+            best = short if best is None or short.cost < best.cost else best
+    return None if best is None else _between(best.x, few, at)
+
+
+def _drifting(task: Task, few: Array) -> list[Array]:
+    """Return ways over few stations (M,) that each stay on a branch and whose turn drifts, inside the limits."""
+    setting = task.setting
+    cells = grid(setting)
+    if task.largest or task.turn_step is not None or _told(task).any() or len(cells.coordinates) != 1:
+        return []
+    ways, told = list[Array](), -np.inf
+    for cost, way in itertools.islice(drifting(setting, cells, _ladder(task, cells, few)), DRIFTS):
+        x = fitted(setting, way)
+        # a wrist and the same flipped cost the same
+        if x is not None and cost > told * (1 + SAME_COST):
+            ways.append(x)
+            told = cost
+    return ways
 
 
 def _upright(task: Task, at: Array) -> Array | None:
