@@ -46,6 +46,20 @@ class DH:
 
 
 @dataclass(frozen=True, slots=True)
+class Slid(DH):
+    """A row between nearly parallel axes whose common normal lies far away: its frames are slid along their axes.
+
+    A = Rot(z, theta) Trans(z, d) Trans(x, a) Trans(y, f) Rot(x, alpha), where d is that of a slide alone: x points as
+    the common normal does, and f is the way across it that a table without it makes by going to the normal and back.
+
+    Args:
+        f: What the link leads along y, m.
+    """
+
+    f: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class Actuator:
     """A tool's own actuator, a gripper for one: it has a value and limits and moves no frame."""
 
