@@ -24,8 +24,6 @@ from pieper.cli.output import (
 )
 from pieper.cli.status import DONE
 from pieper.cli.units import Units
-from pieper.description.dh import Description, Slid
-from pieper.description.slid import with_short_rows
 from pieper.tolerances import TYPED_DIGITS
 
 
@@ -92,7 +90,7 @@ def _print_dh(arm: pieper.Arm, units: Units) -> None:
     heads = [f"a, {length}", f"alpha, {angle}", f"d, {length}", f"theta, {angle}", "sense", "zero", "lower", "upper"]
     title = f"{arm.name}: {plural(arm.n, 'joint')} {arm.joint_types}, {kind} DH"
     print_table(title, [Column("joint", True), *(Column(head) for head in heads)], rows)
-    near = with_short_rows(d)
+    near = d.with_short_rows()
     if near is not d:
         _print_short(near, units)
         for what, T, own in (("base", near.base, d.base), ("tool", near.tool, d.tool)):
@@ -100,13 +98,14 @@ def _print_dh(arm: pieper.Arm, units: Units) -> None:
                 print_pose(T, units, f"{what} of that table")
 
 
-def _print_short(d: Description, units: Units) -> None:
+def _print_short(d: Any, units: Units) -> None:
     """Print a table with slid rows: common normals of nearly parallel axes lie far away."""
     length, angle, digits = units.length, units.angle, 3 if units.length == "mm" else 6
     fine = 3 if angle == "deg" else 6
     rows = []
     for i, row in enumerate(d.rows):
-        across = number(row.f / units.metres, digits) if isinstance(row, Slid) else ""
+        f = getattr(row, "f", None)
+        across = "" if f is None else number(f / units.metres, digits)
         cells = [row.a / units.metres, row.alpha / units.radians, row.d / units.metres, row.theta / units.radians]
         shown = [number(value, places) for value, places in zip(cells, (digits, fine, digits, fine), strict=True)]
         k = 3 if d.axis_types[i] == "R" else 2

@@ -215,6 +215,12 @@ class Description:
             names = ", ".join(dict.fromkeys(axis.name for axis in self.linked))
             raise PlanError(f"{self.name} has a linkage that moves {names}; {what}. {cure}", linked=self.linked)
 
+    def with_short_rows(self) -> Description:
+        """Return the same arm with slid rows (`Slid`) where its table leads far outside; itself where it does not."""
+        from pieper.description.slid import with_short_rows  # folds the table into a chain
+
+        return with_short_rows(self)
+
     def by_axes(self) -> Description:
         """Return the arm whose joints are the axes, each moving by itself, without limits; itself where they are."""
         if self.coupling is None:

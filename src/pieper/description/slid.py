@@ -17,6 +17,8 @@ def with_short_rows(description: Description) -> Description:
 
     The joints' zeros and senses become those of the rows: theta_i = row.theta + q_i.
     """
+    if slid_rows(description):
+        return description
     chain = chain_of(description)
     size = chain.length
     if sum(abs(row.a) + abs(row.d) for row in description.rows) < FAR_LONGER * size:
