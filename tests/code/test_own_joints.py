@@ -297,3 +297,15 @@ def test_what_cannot_be_written_down_is_refused_with_the_reason(tmp_path):
         arm.code("c++", tmp_path / "x.hpp")
     with pytest.raises(pieper.PlanError, match="iteration"):
         pieper.load("rethink-sawyer").code("c", tmp_path / "x.c")
+
+
+def test_joints_without_limits_whose_turns_are_no_whole_ones_are_written_at_once(tmp_path):
+    """A calibrated CRX with gains: nineteen whole turns of each of six joints in every combination took gigabytes."""
+    free = pieper.load("universal-robots-ur5e")
+    free = free.with_limits(dict.fromkeys(free.joint_names))
+    arm = pieper.Arm(replace(free.description, coupling=np.diag(1 + 1e-3 * np.arange(1, 7))))
+    solver = loaded(arm.code("python", tmp_path / "solver.py"))
+    assert len(solver._MOVES) == 1
+    q, T, many = asked(arm, 100)
+    assert wrong(arm, many, [solver.ik(t) for t in T]) == 0
+    assert solver.self_test() == 0
