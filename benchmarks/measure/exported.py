@@ -155,8 +155,8 @@ def run_node(path: Path, ask: Asked) -> Found:
 
 
 def run_octave(path: Path, ask: Asked) -> Found:
-    """Run the folder of MATLAB functions in Octave, a pose at a time."""
-    folder, value = path, "" if ask.spare is None else f", q(i, {ask.spare + 1})"
+    """Run the folder of MATLAB functions in Octave, on blocks of poses."""
+    folder, value = path, "" if ask.spare is None else f", q(some, {ask.spare + 1})"
     for name, array in (("T", ask.T.reshape(-1, 16)), ("q", ask.q)):
         (folder / f"{name}.bin").write_bytes(array.tobytes())
     n = ask.q.shape[1]
@@ -166,11 +166,12 @@ def run_octave(path: Path, ask: Asked) -> Found:
         f"  q = numbers('q.bin', {n});\n"
         f"  count = size(T, 1); counts = zeros(count, 1); rows = zeros(16 * count, {n}); last = 0;\n"
         "  start = cputime();\n"
-        "  for i = 1:count\n"
-        f"    found = one_ik(reshape(T(i, :), 4, 4)'{value});\n"
-        "    counts(i) = size(found, 1);\n"
-        "    rows(last + 1:last + counts(i), :) = found;\n"
-        "    last = last + counts(i);\n"
+        f"  for first = 1:{BLOCK}:count\n"
+        f"    some = first:min(first + {BLOCK - 1}, count);\n"
+        f"    [found, of] = one_ik_many(permute(reshape(T(some, :)', 4, 4, []), [2 1 3]){value});\n"
+        "    counts(some) = accumarray(of, 1, [numel(some), 1]);\n"
+        "    rows(last + 1:last + size(found, 1), :) = found;\n"
+        "    last = last + size(found, 1);\n"
         "  end\n"
         "  took = cputime() - start;\n"
         "  written('counts.bin', counts); written('took.bin', took); written('rows.bin', rows(1:last, :)');\n"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -232,3 +234,63 @@ def test_of_a_posture_measured_several_times_all_or_none_is_held_out():
     new = postures(arm, rng, 300)
     missed = apart(fit.model.fk(new)[:, :3, 3], true.fk(new)[:, :3, 3], False)
     assert fit.held_out.metres > 0.6 * missed
+
+
+@pytest.mark.parametrize("terms", [(), ("gain",), ("harmonic",)])
+@pytest.mark.parametrize("name", ["universal-robots-ur5e", "adept-cobra-600", "kuka-lbr-iiwa-14-r820"])
+def test_a_fit_is_asked_as_an_arm_is(name, terms):
+    """Many poses at once, the row nearest to a posture, and a joint to spare held at its own number."""
+    arm, rng = pieper.load(name), np.random.default_rng(12)
+    true, q = planted(arm, rng, terms), postures(arm, rng, 120)
+    fit = arm.calibrate(q, noisy(true.fk(q), rng), sigma=NOISE, joint_terms=terms)
+    asked, held = q[:6], arm.plan.redundancy[:1]
+    T = fit.model.fk(asked)
+    by_name = {held[0]: asked[:, arm.joint_names.index(held[0])]} if held else None
+    which, rows = fit.ik_many(T, redundancy=by_name)
+    assert np.abs(fit.model.fk(rows) - T[which]).max() < 1e-9
+    if held:
+        j = arm.joint_names.index(held[0])
+        assert np.abs(rows[:, j] - asked[which, j]).max() < 1e-9
+    for i, posture in enumerate(asked):
+        one = None if by_name is None else {name: value[i] for name, value in by_name.items()}
+        alone = fit.ik(T[i], redundancy=one)
+        assert len(alone) == np.count_nonzero(which == i)
+        assert np.abs(alone[:, None] - rows[which == i]).max(2).min(1).max() < 1e-9
+        assert np.abs(alone - posture).max(1).min() < 1e-7
+        if one is not None:
+            # by its place, as `Arm.ik` takes it
+            assert len(fit.ik(T[i], redundancy=next(iter(one.values())))) == len(alone)
+    of, near = fit.ik_many(T, near=asked, redundancy=by_name)
+    assert of.tolist() == list(range(6))
+    assert np.abs(near - asked).max() < 1e-7
+
+
+def test_a_joint_that_others_move_is_not_held_by_its_own_number():
+    arm, rng = pieper.load("kuka-lbr-iiwa-14-r820"), np.random.default_rng(12)
+    true, q = planted(arm, rng, ("gain", "coupling")), postures(arm, rng, 150)
+    fit = arm.calibrate(q, noisy(true.fk(q), rng), sigma=NOISE, joint_terms=("gain", "coupling"))
+    with pytest.raises(pieper.PlanError, match="also moves with"):
+        fit.ik(fit.model.fk(q[:1])[0], redundancy={arm.joint_names[-1]: 0.1})
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_calibrated_arm_has_the_bodies_of_its_nominal_one_and_guesses_none_far_away():
+    arm, rng = pieper.load("universal-robots-ur5e"), np.random.default_rng(4)
+    true, q = planted(arm, rng), postures(arm, rng, 60)
+    Y = noisy(true.fk(q), rng)
+    fit = arm.calibrate(q, Y, sigma=NOISE)
+    # bodies guessed from the table lay along common normals, 300 m across
+    plain = arm.distance(q[:20])
+    assert np.abs(fit.arm.distance(q[:20]) - plain).max() < 0.02
+    bare = replace(arm.description, bodies=(), unmeasured=None)
+    told = pieper.Arm(bare).calibrate(q, Y, sigma=NOISE).arm
+    assert len(told.bodies) >= len(pieper.Arm(bare).bodies) - 1
+    assert np.abs(told.distance(q[:20]) - pieper.Arm(bare).distance(q[:20])).max() < 0.05
+    # with something in the elbow's way only what is clear of it
+    posture = np.array([0.0, -1.2, 1.4, -0.5, 0.7, 0.0])
+    T, elbow = fit.arm.fk(posture), arm.frames(posture)[2, :3, 3]
+    wall = pieper.Scene([pieper.Box(pieper.pose(*elbow), (0.1, 0.1, 0.1))])
+    rows, clear = fit.ik(T), fit.ik(T, scene=wall)
+    kept = np.asarray(fit.arm.distance(rows, wall)) > 0
+    assert 0 < len(clear) < len(rows)
+    assert np.abs(rows[kept] - clear).max() < 1e-12

@@ -59,11 +59,17 @@ def test_matlab_gives_the_native_rows(name, tmp_path):
         "dlmwrite('failed.txt', one_self_test());\nfile = fopen('names.txt', 'w');\n"
         "for i = 1:size(out, 1)\n  fprintf(file, '%s\\n', one_label(out(i, 4:9)));\nend\nfclose(file);\n"
         "no = load('no.txt'); refused = 0;\nfor i = 1:size(no, 1)\n  try, s.ik(reshape(no(i, :), 4, 4)');\n"
+        "  catch e, refused = refused + ~isempty(strfind(e.message, 'no rigid motion')); end\n"
+        "  try, s.ik_many(reshape(no(i, :), 4, 4)');\n"
         "  catch e, refused = refused + ~isempty(strfind(e.message, 'no rigid motion')); end\nend\n"
+        "[q, of, unclear] = s.ik_many(permute(reshape(T', 4, 4, []), [2 1 3]));\n"
+        "dlmwrite('many.txt', [of, unclear(of), ones(size(of)), q], 'precision', '%.17g');\n"
         "dlmwrite('refused.txt', refused);\ndisp('run_it done')\n",
     )
-    assert float(np.loadtxt(tmp_path / "refused.txt")) == 6
+    assert float(np.loadtxt(tmp_path / "refused.txt")) == 12
     out = np.loadtxt(tmp_path / "out.txt", delimiter=",", ndmin=2)
+    many = np.loadtxt(tmp_path / "many.txt", delimiter=",", ndmin=2)
+    assert np.abs(many - out[out[:, 2] == 1]).max() < 1e-9
     for inside in (0, 1):
         part = out[out[:, 2] == inside]
         rows = [part[part[:, 0] == i + 1, 3:] for i in range(len(T))]
@@ -80,7 +86,8 @@ def test_matlab_goes_into_a_folder_a_file_a_function(tmp_path):
     arm = pieper.load("denso-vp6242")
     folder = arm.code("matlab", tmp_path / "solver", "denso")
     names = sorted(p.name for p in folder.iterdir())
-    assert names == ["denso_fk.m", "denso_ik.m", "denso_ik_all.m", "denso_label.m", "denso_self_test.m"]
+    whats = ("fk", "ik", "ik_all", "ik_many", "inside", "label", "rows", "self_test")
+    assert names == [f"denso_{what}.m" for what in whats]
     arm.code("matlab", tmp_path / "denso_ik.m", "denso")
     assert "function q = denso_ik(T)" in (tmp_path / "denso_ik.m").read_text()
     (tmp_path / "file").write_text("")

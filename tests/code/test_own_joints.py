@@ -205,6 +205,8 @@ def test_matlab_takes_and_gives_the_joints_own_numbers(kind, tmp_path):
     octave(
         tmp_path,
         f"T = load('T.txt'); q = load('q.txt'); out = zeros(0, {arm.n + 1});\n"
+        f"i = 1:size(T, 1); [r, of] = one_ik_many(permute(reshape(T', 4, 4, []), [2 1 3]){value});\n"
+        "dlmwrite('many.txt', [of, r], 'precision', '%.17g');\n"
         f"for i = 1:size(T, 1)\n  r = one_ik(reshape(T(i, :), 4, 4)'{value});\n"
         "  out = [out; i * ones(size(r, 1), 1), r];\nend\n"
         "dlmwrite('out.txt', out, 'precision', '%.17g');\n[P, J] = one_fk(q(1, :));\n"
@@ -215,6 +217,8 @@ def test_matlab_takes_and_gives_the_joints_own_numbers(kind, tmp_path):
     )
     out = np.loadtxt(tmp_path / "out.txt", delimiter=",", ndmin=2)
     assert wrong(arm, many, [out[out[:, 0] == i + 1, 1:] for i in range(len(T))]) == 0
+    # many poses at once, row by row in the same order
+    assert np.abs(np.loadtxt(tmp_path / "many.txt", delimiter=",", ndmin=2) - out).max() < 1e-9
     both = np.loadtxt(tmp_path / "fk.txt")
     assert np.abs(both - np.concatenate([T[0].ravel(), arm.jacobian(q[0]).ravel()])).max() < 1e-13
     assert (tmp_path / "names.txt").read_text().splitlines() == names(arm, q)
@@ -297,3 +301,15 @@ def test_what_cannot_be_written_down_is_refused_with_the_reason(tmp_path):
         arm.code("c++", tmp_path / "x.hpp")
     with pytest.raises(pieper.PlanError, match="iteration"):
         pieper.load("rethink-sawyer").code("c", tmp_path / "x.c")
+
+
+def test_joints_without_limits_whose_turns_are_no_whole_ones_are_written_at_once(tmp_path):
+    """A calibrated CRX with gains: nineteen whole turns of each of six joints in every combination took gigabytes."""
+    free = pieper.load("universal-robots-ur5e")
+    free = free.with_limits(dict.fromkeys(free.joint_names))
+    arm = pieper.Arm(replace(free.description, coupling=np.diag(1 + 1e-3 * np.arange(1, 7))))
+    solver = loaded(arm.code("python", tmp_path / "solver.py"))
+    assert len(solver._MOVES) == 1
+    q, T, many = asked(arm, 100)
+    assert wrong(arm, many, [solver.ik(t) for t in T]) == 0
+    assert solver.self_test() == 0

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from pieper.kinematics.joints import TURN, JointSpace, inside, short_way, turned_from, wrapped
+from pieper.kinematics.whole_turns import WholeTurns
 
 SPACE = JointSpace(np.array([False, True, False]), 0.5)
 
@@ -49,3 +52,24 @@ def test_the_first_of_each_cluster_stays():
     q = np.array([[0.0, 0.0, np.pi], [0.0, 0.0, -np.pi], [0.0, 1e-9, 0.0], [0.0, 0.1, 0.0]])
     assert list(SPACE.distinct(q, 1e-6)) == [0, 2, 3]
     assert list(SPACE.without_repeats(q[None], np.ones((1, 4), bool), 1e-6)[0]) == [True, False, True, True]
+
+
+def test_whole_turns_of_joints_without_limits_are_the_nearest_of_all():
+    """Against every move of nine turns; six tied joints took gigabytes where each was looked at as far as eight."""
+    rng = np.random.default_rng(0)
+    for _ in range(60):
+        n = int(rng.integers(1, 4))
+        C = np.diag(rng.choice([1, 1.001, 0.5, 2, -1], n)) + np.tril(rng.choice([0, 0.3, -0.5, 1, 0.002], (n, n)), -1)
+        weight, turns = rng.uniform(0.2, 3, n), WholeTurns(C, np.zeros(n, bool))
+        q, near = rng.uniform(-9, 9, (2, 20, n))
+        found = turns.nearest(q, near, np.tile([-np.inf, np.inf], (n, 1)), weight)
+        moves = TURN * np.array(list(itertools.product(range(-9, 10), repeat=n))) @ turns.inverse.T
+        best = (weight * (q[:, None] + moves - near[:, None]) ** 2).sum(-1).min(1)
+        assert ((weight * (found - near) ** 2).sum(-1) <= best + 1e-9).all()
+        whole = turns.axes(found - q) / TURN
+        assert np.abs(whole - np.round(whole)).max() < 1e-9
+    C = 1.001 * np.eye(6) + np.tril(np.full((6, 6), 2e-3), -1)
+    turns = WholeTurns(C, np.zeros(6, bool))
+    q, near = rng.uniform(-3, 3, (2, 80, 6))
+    found = turns.nearest(q, near, np.tile([-np.inf, np.inf], (6, 1)), np.ones(6))
+    assert np.abs(found - near).max() < 1.1 * np.pi

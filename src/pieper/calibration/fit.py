@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -16,21 +16,21 @@ from pieper.calibration.axes_file import text_of_axes
 from pieper.calibration.measurements import Measurements
 from pieper.calibration.model import AxesModel
 from pieper.calibration.parameters import Parameters
+from pieper.calibration.terms import inside_limits, joint_values, nearest_of, of_the_chain
 from pieper.description.axes import described_by_axes
+from pieper.description.carry import carried
 from pieper.description.dh import Description
 from pieper.document.writing import whole_file
 from pieper.errors import PlanError
-from pieper.kinematics.arrays import Array, ArrayLike
-from pieper.kinematics.joints import TURN, inside
-from pieper.kinematics.pose import PoseLike
+from pieper.kinematics.arrays import Array, ArrayLike, Indices
+from pieper.kinematics.forward import checked_joints, checked_weights
+from pieper.kinematics.pose import PoseLike, as_pose
+from pieper.solver.redundant.choice import Redundancy
 from pieper.tolerances import ENOUGH_HELD, FAR_LESS, MOSTLY_SEEN, NO_NOISE
 from pieper.words_by_number import plural
 
-PI = np.pi
-#: By how much (rad, m) joint terms change a value at most: farther outside its limits a chain's value is not tried.
-SLACK_OF_TERMS = 0.5
-#: Steps of Newton's method for a joint's number behind its harmonics: a contraction by the harmonic's size each.
-_INVERSIONS = 12
+if TYPE_CHECKING:
+    from pieper.collision.scene import Scene
 
 
 class HeldOut(NamedTuple):
@@ -143,14 +143,11 @@ class Fit:
 
     def joint_values(self, values: ArrayLike) -> Array:
         """Return the joint vectors (..., n) at which the chain's joints have these values (..., n), rad or m."""
-        wanted = np.array(values, dtype=np.float64)
-        gears = np.asarray(np.linalg.inv(self.model.gears), np.float64)
-        q: Array = wanted @ gears.T
-        for _ in range(_INVERSIONS):
-            q += (wanted - self.model.values(q)) @ gears.T
-        return np.asarray(q, np.float64)
+        return joint_values(self.model, np.array(values, dtype=np.float64))
 
-    def ik(self, T: PoseLike) -> Array:
+    def ik(
+        self, T: PoseLike, *, task: str | None = None, redundancy: Redundancy = None, scene: Scene | None = None
+    ) -> Array:
         """Return every joint vector (m, n) inside the limits that reaches a pose, joint terms inverted.
 
         The chain is solved completely; then each of its values is tried with the whole turns that the limits leave room
@@ -158,36 +155,55 @@ class Fit:
 
         Args:
             T: (4, 4), base to tool, m.
+            task: As in `Arm.ik`.
+            redundancy: As in `Arm.ik`; a joint's value is that of its own number.
+            scene: What stands around the arm: only rows that touch neither it nor the arm itself are returned.
+
+        Raises:
+            PlanError: A joint is to be held whose axis others move too.
         """
-        limits, turning = self.nominal.limits, ~self.model.prismatic
-        rows = self.geometry.ik(T).all_q
-        bounded = turning & np.isfinite(limits).all(1)
-        # where the chain's values come to lie: what a joint's drive carries along moves others out of their own limits
-        ends = np.where(bounded[:, None] | ~turning[:, None], limits, [-PI, PI])
-        with np.errstate(invalid="ignore"):
-            parts = np.where(self.model.gears == 0, 0, self.model.gears) * ends.T[:, None]
-        parts[:, self.model.gears == 0] = 0
-        span = np.stack([parts.min(0).sum(1), parts.max(0).sum(1)], 1)
-        most = np.where(turning, np.ceil((np.abs(span).max(1, initial=0.0, where=np.isfinite(span)) + 1) / TURN), 1)
-        choices = [
-            TURN * np.arange(-m, m + 1) if turns else np.zeros(1) for m, turns in zip(most, turning, strict=True)
-        ]
-        found = [np.zeros((0, self.nominal.n))]
-        for values in rows:
-            # one joint after the other: what cannot come inside by any turn is dropped before the next
-            near = [v + t for v, t in zip(values, choices, strict=True)]
-            near = [
-                v[(v > lo - SLACK_OF_TERMS) & (v < hi + SLACK_OF_TERMS)] for v, (lo, hi) in zip(near, span, strict=True)
-            ]
-            q = self.joint_values(np.stack(np.meshgrid(*near, indexing="ij"), -1).reshape(-1, self.nominal.n))
-            ok = inside(q, limits)
-            ok[:, turning & ~bounded] &= (q > -PI)[:, turning & ~bounded] & (q <= PI)[:, turning & ~bounded]
-            found.append(q[ok.all(1)])
-        return np.concatenate(found)
+        held = of_the_chain(self.geometry.plan_for(task), self.model, redundancy)
+        values = self.geometry.ik(T, task=task, redundancy=held).all_q
+        _, rows = inside_limits(self.model, self.nominal.limits, values)
+        if scene is None or not len(rows):
+            return rows
+        return rows[np.asarray(self.geometry.distance(self.chain_values(rows), scene)) > 0]
+
+    def ik_many(
+        self,
+        Ts: PoseLike,
+        threads: int | None = None,
+        near: ArrayLike | None = None,
+        weights: ArrayLike | None = None,
+        *,
+        task: str | None = None,
+        redundancy: Redundancy = None,
+    ) -> tuple[Indices, Array]:
+        """Return every joint vector inside the limits of N poses as `ik` does: whose pose (M,), and rows (M, n).
+
+        Args:
+            Ts: (N, 4, 4), base to tool, m.
+            threads: As in `Arm.ik_many`.
+            near: (n,) or (N, n): of each pose only the row nearest to it, none of a pose that has none.
+            weights: (n,) what the squared differences of the joints count in the distance; None for one each. Sliding
+                joints are measured in the arm's characteristic length.
+            task: As in `Arm.ik`.
+            redundancy: As in `ik`, one value or one a pose.
+        """
+        space = self.geometry.chain.joints
+        counts = checked_weights(weights, self.nominal.n)
+        held = of_the_chain(self.geometry.plan_for(task), self.model, redundancy)
+        poses, values = self.geometry.ik_many(Ts, threads, task=task, redundancy=held).rows()
+        of, q = inside_limits(self.model, self.nominal.limits, values)
+        if near is None:
+            return poses[of], q
+        there = checked_joints(near, self.nominal.n, prismatic=self.model.prismatic)
+        return nearest_of(poses[of], q, np.broadcast_to(there, (len(as_pose(Ts)), self.nominal.n)), space, counts)
 
     def _described(self, gears: Array, limits: Array) -> Description:
         same = np.array_equal(gears, np.eye(self.nominal.n))
-        return described_by_axes(
+        nominal, zero = self.nominal, np.zeros(self.nominal.n)
+        described = described_by_axes(
             self.model.axes,
             self.model.points,
             self.model.home,
@@ -199,7 +215,11 @@ class Fit:
             manufacturer=self.nominal.manufacturer,
             source=f"Calibrated: {self.headline()}",
             postures=self.nominal.postures,
+            actuator=nominal.actuator,
         )
+        # with all joints at zero its bodies are where they were drawn, to what was measured
+        bodies = carried(nominal, described, zero, zero)
+        return replace(described, bodies=bodies, allowed=nominal.allowed, payload=nominal.payload, reach=nominal.reach)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the calibrated arm as a robot file that keeps its axes, whole or not at all; not with harmonics.

@@ -24,6 +24,7 @@ from pieper.cli.output import (
 )
 from pieper.cli.status import DONE
 from pieper.cli.units import Units
+from pieper.tolerances import TYPED_DIGITS
 
 
 @click.command("show", short_help="Show an arm and how it is solved.")
@@ -88,6 +89,31 @@ def _print_dh(arm: pieper.Arm, units: Units) -> None:
     kind = "standard (distal)" if d.convention == "standard" else "modified (proximal, Craig)"
     heads = [f"a, {length}", f"alpha, {angle}", f"d, {length}", f"theta, {angle}", "sense", "zero", "lower", "upper"]
     title = f"{arm.name}: {plural(arm.n, 'joint')} {arm.joint_types}, {kind} DH"
+    print_table(title, [Column("joint", True), *(Column(head) for head in heads)], rows)
+    near = d.with_short_rows()
+    if near is not d:
+        _print_short(near, units)
+        for what, T, own in (("base", near.base, d.base), ("tool", near.tool, d.tool)):
+            if np.abs(T - own).max() > TYPED_DIGITS:
+                print_pose(T, units, f"{what} of that table")
+
+
+def _print_short(d: Any, units: Units) -> None:
+    """Print a table with slid rows: common normals of nearly parallel axes lie far away."""
+    length, angle, digits = units.length, units.angle, 3 if units.length == "mm" else 6
+    fine = 3 if angle == "deg" else 6
+    rows = []
+    for i, row in enumerate(d.rows):
+        f = getattr(row, "f", None)
+        across = "" if f is None else number(f / units.metres, digits)
+        cells = [row.a / units.metres, row.alpha / units.radians, row.d / units.metres, row.theta / units.radians]
+        shown = [number(value, places) for value, places in zip(cells, (digits, fine, digits, fine), strict=True)]
+        k = 3 if d.axis_types[i] == "R" else 2
+        constant = short(abs(cells[k]), fine if k == 3 else digits)
+        shown[k] = d.moved_by(i) + ("" if constant == "0" else f" {'+' if cells[k] > 0 else '-'} {constant}")
+        rows.append([d.axis_names[i], shown[0], across, *shown[1:]])
+    heads = [f"a, {length}", f"f, {length}", f"alpha, {angle}", f"d, {length}", f"theta, {angle}"]
+    title = "the same arm without the way to far common normals: f leads along y, before the turn alpha"
     print_table(title, [Column("joint", True), *(Column(head) for head in heads)], rows)
 
 

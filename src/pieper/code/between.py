@@ -136,6 +136,8 @@ def _coupled(plan: Plan, own: Between, coupling: Array) -> Between:
     for block, moves in zip(turns.blocks, turns.between(plan.limits, ends), strict=True):
         if len(block) > 1 or abs(coupling[block[0], block[0]]) != 1:
             tied[block] = True
-            parts.append(moves)
+            # what has no limits is inside where it is: moves of other joints are not tried beside its own
+            endless = not np.isfinite(plan.limits[block]).any()
+            parts.append(np.zeros((1, plan.n)) if endless else moves)
     moves = np.array([np.sum(some, axis=0) for some in itertools.product(*parts)]).reshape(-1, plan.n)
     return replace(own, gears=coupling, tied=tied, moves=moves, weight=chain.joints.unit**-2.0)

@@ -10,6 +10,7 @@ import numpy as np
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions
+from pieper.code.matlab_many import IK_MANY, INSIDE, MOVE, ROWS
 from pieper.code.program import LoopWords
 from pieper.tolerances import CLOSES, FILLED_STARTS
 
@@ -29,7 +30,7 @@ def _loop(loop: LoopWords) -> list[str]:
         f"  for step = 1:{loop.steps}",
         *(f"  {line}" for line in loop.lines),
         *(f"    {name} = {text};" for name, text in zip(loop.names, loop.next, strict=True)),
-        f"    if ~({loop.moving}), break; end",
+        f"    if ~any({loop.moving}), break; end",
         "  end",
     ]
 
@@ -38,8 +39,9 @@ MATLAB = Matlab(
     words=USUAL
     | ENTRYWISE
     | functions("")
-    | {"sqrt": "real_sqrt({0})", "angle": "angle_of({0}, {1})", "select": "pick({0}, {1}, {2})", "ne": "{0} ~= {1}"},
-    entry=lambda k: f"T({k // 4 + 1}, {k % 4 + 1})",
+    | {"sqrt": "real_sqrt({0})", "angle": "angle_of({0}, {1})", "select": "pick({0}, {1}, {2})", "ne": "{0} ~= {1}"}
+    | {"mul": "{0} .* {1}", "div": "{0} ./ {1}"},
+    entry=lambda k: f"T(:, {k + 1})",
     assign=lambda name, _, expression: f"  {name} = {expression};",
     loop=_loop,
     infinity="Inf",
@@ -47,7 +49,6 @@ MATLAB = Matlab(
     header=lambda lines: "\n".join(f"% {line}" for line in lines),
     manner=Manner("sin({0})", "cos({0})", "q({0})", 1, "  {0} = {1};", "side({0}, {1})"),
     texts="{}'",
-    per_row=("{}", "; "),
 )
 
 
@@ -90,10 +91,8 @@ IK_ALL = """function [q, unclear] = NAME_ik_all(T@VALUE@)
 %
 @HEADER@
   T = rigid(T);
-@MOVED@@PROGRAM@
-  rows = [@ROWS@];
-  valid = [@VALID@];
-  unclear = @UNCLEAR@;
+@MOVED@  [rows, valid, unclear] = NAME_rows(reshape(T', 1, 16));
+  rows = reshape(rows, 6, 8)';
   slides = logical(@SLIDES@);
   q = zeros(0, N);
   for m = 1:8
@@ -110,47 +109,18 @@ IK_ALL = """function [q, unclear] = NAME_ik_all(T@VALUE@)
   end
 @FROM_AXES@end
 
-@RIGID@@NEAREST@
-function r = pick(yes, a, b)
-  if yes, r = a; else, r = b; end
-end
-
-function r = real_sqrt(x)
-  if x < 0, r = NaN; else, r = sqrt(x); end
-end
-
-function r = angle_of(y, x)
-  % an angle that rounds to -pi is said as pi
-  r = atan2(y, x);
-  if r <= -pi, r = pi; end
-end
-"""
+@RIGID@@NEAREST@"""
 
 IK = """function q = NAME_ik(T@VALUE@)
 % NAME_IK  Every joint vector (m, N) inside the limits that reaches a pose T (4, 4), base to tool; m and rad. A rotation
 % that was rounded is taken as the nearest one; what is no rigid motion is an error.@SAID@
 %
 @HEADER@
-  lower = @LOWER@;
-  upper = @UPPER@;
-  alone = ~logical(@SLIDES@)@ALONE@;
   q = NAME_ik_all(T@VALUE@);
-  turn = 2 * pi;
-@TIED@  inside = true(size(q, 1), 1);
-  for j = 1:N
-    v = q(:, j);
-    if alone(j)
-      low = v < lower(j);
-      v(low) = v(low) + turn * ceil((lower(j) - v(low)) / turn);
-      high = v > upper(j);
-      v(high) = v(high) - turn * ceil((v(high) - upper(j)) / turn);
-    end
-    inside = inside & v >= lower(j) & v <= upper(j);
-    q(:, j) = v;
-  end
+  [q, inside] = NAME_inside(q);
   q = q(inside, :);
 end
-@MOVE@"""
+"""
 
 FK = """function [T, J] = NAME_fk(q@IN_AXES@)
 % NAME_FK  The pose T (4, 4) of joint vector q, base to tool, and its Jacobian J (6, N), base frame, linear rows first.
@@ -229,11 +199,11 @@ end
 @RIGID@"""
 
 ENTRY = """function s = STEM()
-% The functions of this arm as one struct: s.ik(T), s.ik_all(T), s.fk(q), s.label(q), s.self_test(); they stand beside
-% this file.
+% The functions of this arm as one struct: s.ik(T), s.ik_all(T), s.ik_many(T), s.fk(q), s.label(q), s.self_test(); they
+% stand beside this file.
 %
 @HEADER@
-  s = struct('ik', @NAME_ik, 'ik_all', @NAME_ik_all, 'fk', @NAME_fk, 'label', @NAME_label, ...
+  s = struct('ik', @NAME_ik, 'ik_all', @NAME_ik_all, 'ik_many', @NAME_ik_many, 'fk', @NAME_fk, 'label', @NAME_label, ...
              'self_test', @NAME_self_test);
 end
 """
@@ -256,6 +226,8 @@ def _own_parts(export: Export) -> dict[str, str]:
         "VALUE": ", value" if held else "",
         "POSE": "given" if held else "T",
         "MOVED": _moved(export),
+        "MOVED_MANY": _moved_many(export),
+        "OWN_ROWS": _own_rows(export),
         "OWN_ROW": f"{zero}    own = [{columns}];\n"
         + (f"    [own, miss] = nearest(own, T);\n    if ~(miss < {CLOSES!r}), continue; end\n" if own.filled else ""),
         "NEAREST": NEAREST.replace("@TESTED@", str([k + 1 for k in own.tested]))
@@ -274,7 +246,7 @@ def _own_parts(export: Export) -> dict[str, str]:
         "GEARED_T": f" * ({gears})'" if coupled else "",
         "TEST_VALUE": f", Q(i, {own.held + 1})" if own.held is not None else "",
         "ALONE": f" & ~logical({[int(t) for t in own.tied]})" if own.tied is not None else "",
-        "TIED": "  for i = 1:size(q, 1), q(i, :) = move_inside(q(i, :), lower, upper); end\n" if tied else "",
+        "TIED": "  q = move_inside(q, lower, upper);\n" if tied else "",
         "MOVE": MOVE.replace("TIED", str([int(t) for t in own.tied]))
         .replace("WEIGHT", numbers(own.weight))
         .replace("MOVES", numbers(own.moves))
@@ -283,21 +255,36 @@ def _own_parts(export: Export) -> dict[str, str]:
     }
 
 
-MOVE = """
-function q = move_inside(q, lower, upper)
-  % joints whose numbers whole turns of the axes move together: the shortest move that brings them inside
-  free = ~logical(TIED);
-  moves = MOVES;
-  if all(free | (q >= lower & q <= upper)), return; end
-  least = Inf;
-  now = q;
-  for k = 1:size(moves, 1)
-    there = now + moves(k, :);
-    away = sum(WEIGHT .* moves(k, :) .^ 2);
-    if away < least && all(free | (there >= lower & there <= upper)), least = away; q = there; end
-  end
-end
-"""
+def _own_rows(export: Export) -> str:
+    """Return the lines that make joint vectors of a row of many poses."""
+    own = export.between
+    columns = ", ".join("value" if column is None else f"six(:, {column + 1}, m)" for column in own.columns)
+    zero = "".join(
+        f"    valid(:, m) = valid(:, m) & abs(six(:, {k + 1}, m)) < {FILLED_STARTS * unit!r};\n"
+        for k, unit in own.filled
+    )
+    nearest = (
+        "    for i = find(valid(:, m))'\n"
+        "      [own(i, :), miss] = nearest(own(i, :), reshape(T(i, :), 4, 4)');\n"
+        f"      valid(i, m) = miss < {CLOSES!r};\n    end\n"
+    )
+    return f"{zero}    own = [{columns}];\n    own(~valid(:, m), :) = 0;\n" + (nearest if own.filled else "")
+
+
+def _moved_many(export: Export) -> str:
+    """Return the lines that take the held joint off many poses."""
+    own = export.between
+    if own.held is None or own.taken_off is None:
+        return ""
+    value = "  Z(:, 12) = -value;\n"
+    turned = "  Z(:, [1 6]) = repmat(cos(value), 1, 2);\n  Z(:, 2) = sin(value);\n  Z(:, 5) = -Z(:, 2);\n"
+    product = "times_all(Z, times_all(off, given))" if own.at_base else "times_all(times_all(given, off), Z)"
+    return (
+        "  value = value(:) + zeros(k, 1);\n  given = T;\n"
+        f"  off = {MATLAB.numbers(own.taken_off.ravel())};\n"
+        "  Z = zeros(k, 16);\n  Z(:, [1 6 11 16]) = 1;\n"
+        f"{value if export.slides[own.held] else turned}  T = {product};\n"
+    )
 
 
 def _moved(export: Export) -> str:
@@ -319,7 +306,16 @@ def texts(export: Export, path: Path) -> dict[Path, str]:
     parts = MATLAB.parts(export) | _own_parts(export)
     file = path.suffix == ".m"
     folder = path.parent if file else path
-    frames = {"ik": IK, "ik_all": IK_ALL, "fk": FK, "label": LABEL, "self_test": SELF_TEST}
+    frames = {
+        "ik": IK,
+        "ik_all": IK_ALL,
+        "ik_many": IK_MANY,
+        "rows": ROWS,
+        "inside": INSIDE,
+        "fk": FK,
+        "label": LABEL,
+        "self_test": SELF_TEST,
+    }
     frames = {what: frame.replace("@RIGID@", RIGID) for what, frame in frames.items()}
     out = {
         folder / f"{export.name}_{what}.m": filled(frame.replace("@RIGID@", RIGID), parts, export)

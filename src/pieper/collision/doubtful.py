@@ -28,8 +28,13 @@ def remark_doubtful_scene(model: Model, base: Sequence[float], reach: float, nam
     """
     stands = np.asarray(base, np.float64)
     own, nearest, which = 0.0, np.inf, ""
+    after = [*model.chain.frames_after, model.chain.links[-1]]
     for shape, on, called in zip(model.shapes, model.on, model.names, strict=True):
         points, layer = corners(shape)
+        if on > 0:
+            # from the axis that moves it: a table's frame may stand far outside the arm
+            T = after[on - 1]
+            points = points @ T[:3, :3].T + T[:3, 3]
         middle = points.mean(0)
         radius = float(np.linalg.norm(points - middle, axis=1).max()) + layer
         away = float(np.linalg.norm(middle - stands if on < 0 else middle)) - radius

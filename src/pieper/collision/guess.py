@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
-from pieper.description.dh import Description
+from pieper.description.carry import carried
+from pieper.description.dh import Description, Slid
 from pieper.description.fold import chain_of, frames_of
 from pieper.description.shapes import Body, Capsule, unique_names
+from pieper.description.slid import with_short_rows
 from pieper.kinematics.pose import inverse
 from pieper.tolerances import SHORTEST_ARM, TINY
 
@@ -53,6 +55,12 @@ def guessed(arm: Description) -> tuple[tuple[Body, ...], set[frozenset[str]]]:
     What lies along a joint's axis does not move with it in space, so that it may be said of either link; a slide is a
     rod as long as its way, and a sleeve as long as its shortest.
     """
+    short = with_short_rows(arm)
+    if short is not arm:
+        # a table that leads to far common normals is no picture of the arm
+        own, one_piece = guessed(short)
+        zero = np.zeros(arm.n)
+        return carried(replace(short, bodies=own, unmeasured=None), arm, zero, zero), one_piece
     lines = _lines(arm)
     total = max(sum(line.length for line in lines), SHORTEST_ARM)
     thick = [line for line in lines if line.length >= SHORT * total]
@@ -119,6 +127,8 @@ def _lines(arm: Description) -> list[_Line]:
         before, after = at_zero[k - 1], at_zero[k]
         # along the common normal, on the link behind the joint or, of a modified table, before it; and along the axis
         corner = after[:3, 3] - row.a * after[:3, 0] if standard else before[:3, 3] + row.a * before[:3, 0]
+        if isinstance(row, Slid):
+            corner = corner - row.f * np.cross(before[:3, 2], after[:3, 0])
         start, end = (before[:3, 3], corner) if standard else (corner, after[:3, 3])
         axis = before[:3, 2] if standard else after[:3, 2]
         name = arm.axis_names[k - 1]

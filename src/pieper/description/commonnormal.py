@@ -7,12 +7,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.description.dh import DH
+from pieper.description.dh import DH, Slid
 from pieper.tolerances import (
     ALL_BUT_ZERO,
     ANGLE_ROUNDED,
     FRAME_ROUNDED,
     MEETING_AXES,
+    NEARLY_PARALLEL,
     NO_DIRECTION,
     PARALLEL_AXES,
     SMALLEST_ARM,
@@ -38,7 +39,7 @@ class Table:
     largest_turn: float
 
 
-def standard_table(axes: np.ndarray, points: np.ndarray, home: np.ndarray) -> Table:
+def standard_table(axes: np.ndarray, points: np.ndarray, home: np.ndarray, farthest: float = math.inf) -> Table:
     """Return the standard DH table of a chain of axes, its joint variables zero in the given posture.
 
     Each x axis is turned as little as its common normal allows, so link lengths may come out negative and joints that
@@ -49,6 +50,8 @@ def standard_table(axes: np.ndarray, points: np.ndarray, home: np.ndarray) -> Ta
         axes: (n, 3) unit directions of the joint axes, all joints at zero.
         points: (n, 3) a point on each axis, m.
         home: (4, 4) pose of the tool, all joints at zero.
+        farthest: Rows between nearly parallel axes are slid ones; axes that meet no farther away than this, m, still
+            meet. No row is, when left out.
 
     Returns:
         The table; its product at zero is `home` to rounding.
@@ -64,6 +67,10 @@ def standard_table(axes: np.ndarray, points: np.ndarray, home: np.ndarray) -> Ta
     for i in range(len(axes)):
         last = i == len(axes) - 1
         row, off = _row(T, directions[i + 1], places[i + 1], size, home[:3, 0] if last else None)
+        if math.isfinite(farthest) and 0 < abs(math.sin(row.alpha)) < NEARLY_PARALLEL:
+            slid = _slid(T, directions[i + 1], places[i + 1], size, row)
+            # axes that meet amid the arm are left to meet
+            row = slid if row.a or abs(row.d) > farthest else row
         rows.append(row)
         turn = max(turn, off)
         T = T @ _row_pose(row)
@@ -116,6 +123,15 @@ def _row(T: np.ndarray, u: np.ndarray, point: np.ndarray, size: float, prefer: n
     return row, off
 
 
+def _slid(T: np.ndarray, u: np.ndarray, point: np.ndarray, size: float, row: DH) -> Slid:
+    """Return the row from frame T to where the line (point, u) crosses the plane of T's x and y, turned as a row is."""
+    z, origin = T[:3, 2], T[:3, 3]
+    across = point + u * (float((origin - point) @ z) / float(u @ z)) - origin
+    x = math.cos(row.theta) * T[:3, 0] + math.sin(row.theta) * T[:3, 1]
+    f = _round_length(float(across @ np.cross(z, x)), size)
+    return Slid(a=_round_length(float(across @ x), size), alpha=row.alpha, theta=row.theta, f=f)
+
+
 def _turned(new_x: np.ndarray, x: np.ndarray, z: np.ndarray) -> bool:
     """Return whether turning x over gives the smaller joint angle (a quarter turn stays positive)."""
     along = float(x @ new_x)
@@ -124,10 +140,11 @@ def _turned(new_x: np.ndarray, x: np.ndarray, z: np.ndarray) -> bool:
 
 def _row_pose(row: DH) -> np.ndarray:
     ct, st, ca, sa = math.cos(row.theta), math.sin(row.theta), math.cos(row.alpha), math.sin(row.alpha)
+    f = row.f if isinstance(row, Slid) else 0.0
     return np.array(
         [
-            [ct, -st * ca, st * sa, row.a * ct],
-            [st, ct * ca, -ct * sa, row.a * st],
+            [ct, -st * ca, st * sa, row.a * ct - f * st],
+            [st, ct * ca, -ct * sa, row.a * st + f * ct],
             [0.0, sa, ca, row.d],
             [0.0, 0.0, 0.0, 1.0],
         ]

@@ -46,6 +46,20 @@ class DH:
 
 
 @dataclass(frozen=True, slots=True)
+class Slid(DH):
+    """A row between nearly parallel axes whose common normal lies far away: its frames are slid along their axes.
+
+    A = Rot(z, theta) Trans(z, d) Trans(x, a) Trans(y, f) Rot(x, alpha), where d is that of a slide alone: x points as
+    the common normal does, and f is the way across it that a table without it makes by going to the normal and back.
+
+    Args:
+        f: What the link leads along y, m.
+    """
+
+    f: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class Actuator:
     """A tool's own actuator, a gripper for one: it has a value and limits and moves no frame."""
 
@@ -200,6 +214,12 @@ class Description:
         if self.linked:
             names = ", ".join(dict.fromkeys(axis.name for axis in self.linked))
             raise PlanError(f"{self.name} has a linkage that moves {names}; {what}. {cure}", linked=self.linked)
+
+    def with_short_rows(self) -> Description:
+        """Return the same arm with slid rows (`Slid`) where its table leads far outside; itself where it does not."""
+        from pieper.description.slid import with_short_rows  # folds the table into a chain
+
+        return with_short_rows(self)
 
     def by_axes(self) -> Description:
         """Return the arm whose joints are the axes, each moving by itself, without limits; itself where they are."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.description.dh import Description
+from pieper.description.dh import Description, Slid
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import FLIP, inverse, rotation_x, rotation_z, translation
@@ -29,6 +29,8 @@ def chain_of(description: Description) -> Chain:
             before, after = _whole(rotation_z(row.theta + constant)), translation(z=row.d)
         x_part = _whole(rotation_x(row.alpha))
         x_part[0, 3] = row.a
+        if isinstance(row, Slid):
+            x_part[1, 3] = row.f
         if description.convention == "standard":
             after = after @ x_part
         else:

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.description.dh import Description
+from pieper.description.dh import Description, Slid
 from pieper.description.fold import chain_of
+from pieper.description.slid import with_short_rows
 from pieper.kinematics.forward import frames
 from pieper.tolerances import DRAWN_LEAST
 
@@ -41,7 +42,9 @@ def skeleton(description: Description, q: np.ndarray) -> Skeleton:
 
 def skeletons(description: Description, q: np.ndarray) -> list[Skeleton]:
     """Return an arm's skeletons in postures q (k, n), rad or m."""
-    return [_skeleton(description, each) for each in frames(chain_of(description), q, description.base)]
+    # links are drawn along common normals: of nearly parallel axes those lie far away
+    short = with_short_rows(description)
+    return [_skeleton(short, each) for each in frames(chain_of(short), q, short.base)]
 
 
 def _skeleton(description: Description, frames: np.ndarray) -> Skeleton:
@@ -50,6 +53,8 @@ def _skeleton(description: Description, frames: np.ndarray) -> Skeleton:
     for i, row in enumerate(description.rows):
         if description.convention == "standard":
             corner = origins[i + 1] - row.a * frames[i + 1, :3, 0]
+            if isinstance(row, Slid):
+                corner = corner - row.f * np.cross(frames[i, :3, 2], frames[i + 1, :3, 0])
             links.append(np.array([origins[i], corner, origins[i + 1]]))
             centres[i], directions[i] = origins[i], frames[i, :3, 2]
         else:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 from typing import TYPE_CHECKING
+
+from pieper.description.slid import with_short_rows
 
 if TYPE_CHECKING:
     from pieper.equations.arm import Arm
@@ -22,6 +25,10 @@ class Symbolic:
     """
 
     def __init__(self, arm: Arm) -> None:
+        short = with_short_rows(arm.description)
+        if short is not arm.description:
+            arm = copy.copy(arm)
+            arm.description = short
         self._arm = arm
         self._forward: dict[tuple[str, str, str], ForwardEquations] = {}
         self._jacobian: dict[tuple[str, str], JacobianEquations] = {}

@@ -13,6 +13,7 @@ from pieper.algebra.arithmetics import DigitsField, NumpyField, SympyField
 from pieper.algebra.expression import Expr, Num, Sym, Trig, angle_symbol
 from pieper.algebra.harmonic import Poly, matmul
 from pieper.description.dh import Description
+from pieper.description.slid import slid_rows
 from pieper.document import text
 from pieper.document.blocks import Document, Equation, Equations
 from pieper.document.formulas import equals, in_line, matrix, named
@@ -274,6 +275,13 @@ class ForwardEquations(Readable):
     def page(self) -> Document:
         """The symbols, the link matrices, the two halves, then the pose entry by entry."""
         page = Document(f"Forward kinematics of {self.description.name} ({self.description.convention} DH)")
+        if slid := slid_rows(self.description):
+            which = ", ".join(f"A{i}" for i in slid)
+            page.say(
+                "Some neighbouring axes are nearly parallel, and their common normal lies far outside the arm. "
+                f"{which} {'lead' if len(slid) > 1 else 'leads'} straight across instead of going there and back by an "
+                "offset d: Rot(z, theta) Trans(x, a) Trans(y, f) Rot(x, alpha)."
+            )
         for words, equations in (
             ("Joint angles of the table: ", self.relation_equations),
             ("Constants (m): ", self.meaning_equations),

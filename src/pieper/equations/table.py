@@ -11,7 +11,7 @@ import numpy as np
 from pieper.algebra.exact import decimal_text, pi_fraction, quarter_turns, rational
 from pieper.algebra.expression import Call, Expr, Num, PiFraction, Sym, add, angle_symbol
 from pieper.algebra.harmonic import Poly, matmul, trig
-from pieper.description.dh import Description
+from pieper.description.dh import Description, Slid
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.tolerances import ALL_BUT_ZERO
@@ -141,6 +141,8 @@ class _Reader:
         one, nil = Poly.number(1), Poly()
         spin = [[c, -s, nil, nil], [s, c, nil, nil], [nil, nil, one, d], [nil, nil, nil, one]]
         bend = [[one, nil, nil, a], [nil, ca, -sa, nil], [nil, sa, ca, nil], [nil, nil, nil, one]]
+        if isinstance(row, Slid):
+            bend[1][3] = self._length("f", index, row.f)
         return matmul(bend, spin) if self.modified else matmul(spin, bend)
 
     def _length(self, base: str, index: str, value: float) -> Poly:

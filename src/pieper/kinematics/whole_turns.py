@@ -116,8 +116,13 @@ class WholeTurns:
         gap = self.axes(q - near)
         gap = np.where(self.prismatic, gap, short_way(gap))
         out = np.asarray(near + self.joints(gap), np.float64)
-        for block, moves in zip(self.blocks, self.between(limits, out), strict=True):
-            moves = moves[:, block]
+        endless = [not np.isfinite(limits[block]).any() for block in self.blocks]
+        # what has no limits is not looked at around limits
+        narrow = limits.copy()
+        for block in itertools.compress(self.blocks, endless):
+            narrow[block] = out[0, block, None]
+        for block, moves, free in zip(self.blocks, self.between(narrow, out), endless, strict=True):
+            moves = (self._nearer(block, out - near, weight) if free else moves)[:, block]
             low, high = limits[block].T
             rows = max(1, _AT_ONCE // max(1, moves.size))
             for first in range(0, len(q), rows):
@@ -130,6 +135,20 @@ class WholeTurns:
                 held = np.take_along_axis(beyond, best[:, None], 1) <= LIMIT_SLACK
                 out[at, block] = np.where(held, chosen, out[at, block])
         return out
+
+    def _nearer(self, block: Indices, gap: Array, weight: Array) -> Array:
+        """Return the moves (m, n) of a block that can bring joint vectors nearer that are gap (k, n) away, half turns at most.
+
+        What is nearer than r differs by no more than |C_i| r at axis i (C of the weighed joints), and no axis is more
+        than half a turn away.
+        """
+        heavy = np.sqrt(weight[block])
+        weighed = np.divide(self.coupling[:, block], heavy, out=np.zeros((self.n, len(block))), where=heavy > 0)
+        farthest = float(np.linalg.norm(gap[:, block] * heavy, axis=1).max())
+        turns = np.floor((np.linalg.norm(weighed, axis=1) * farthest + np.pi) / TURN + RELATIVE_ROUNDING).astype(int)
+        turning = block[~self.prismatic[block]]
+        counts = itertools.product(*(range(-turns[i], turns[i] + 1) for i in turning))
+        return TURN * np.array(list(counts), float) @ self.inverse[:, turning].T
 
     def inside(self, q: Array, limits: Array) -> Array:
         """Return every variant (k, n) of a joint vector q (n,) by whole turns inside limits (n, 2), in order.

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pieper.description.dh import Description, Slid
+from pieper.description.slid import with_short_rows
 from pieper.document.blocks import Document, Emphasis, Equations, Lines, Note
 from pieper.document.formulas import in_line
 from pieper.drawing.style import MM, picture
@@ -17,7 +19,7 @@ from pieper.presentation.plot_arm import arm_figure, postures_figure
 from pieper.presentation.plot_reach import joint_range, reach_figure, reach_samples
 from pieper.solver.families import named
 from pieper.solver.words.explain import how_many
-from pieper.tolerances import ROUNDING
+from pieper.tolerances import ROUNDING, TYPED_DIGITS
 from pieper.words_by_number import plural
 
 if TYPE_CHECKING:
@@ -99,6 +101,7 @@ def add_arm(page: Document, arm: Arm) -> None:
         "" if plain else " q is the joint coordinate of the maker, whose zero and sense stand in the variable's column."
     )
     page.table(heads, rows, f"DH table and joint limits of {arm.name}.{note}")
+    _add_short(page, arm)
     for what, T in (("base", arm.base), ("tool", arm.tool)):
         if not np.array_equal(T, np.eye(4)):
             p = ", ".join(fixed(v * MM) for v in T[:3, 3])
@@ -130,9 +133,33 @@ def add_arm(page: Document, arm: Arm) -> None:
         page.say(Emphasis("Source of the table:"), f" {d.source}")
 
 
-def _variable(arm: Arm, i: int) -> str:
-    d = arm.description
-    revolute = arm.joint_types[i] == "R"
+def _add_short(page: Document, arm: Arm) -> None:
+    """Add the table with slid rows, where common normals of nearly parallel axes lie far away."""
+    d = with_short_rows(arm.description)
+    if d is arm.description:
+        return
+    rows = []
+    for i, row in enumerate(d.rows):
+        across = fixed(row.f * MM) if isinstance(row, Slid) else ""
+        turns = [fixed(np.degrees(angle)) for angle in (row.alpha, row.theta)]
+        cells = [fixed(row.a * MM), across, turns[0], fixed(row.d * MM), turns[1]]
+        cells[4 if d.axis_types[i] == "R" else 3] = _variable(arm, i, d)
+        rows.append([d.axis_names[i], *cells])
+    page.table(
+        ["joint", "a, mm", "f, mm", "α, °", "d, mm", "θ, °"],
+        rows,
+        f"The same of {arm.name} without the way to far common normals, as its equations are written: nearly parallel "
+        "axes are joined straight across, by a along x and f along y, before the turn α.",
+    )
+    for what, T, own in (("base", d.base, arm.base), ("tool", d.tool, arm.tool)):
+        if np.abs(T - own).max() > TYPED_DIGITS:
+            p = ", ".join(fixed(v * MM) for v in T[:3, 3])
+            page.add(f"The {what} of that table stands at ({p}) mm{_turned(T)}.")
+
+
+def _variable(arm: Arm, i: int, d: Description | None = None) -> str:
+    d = d or arm.description
+    revolute = d.axis_types[i] == "R"
     names = ["q" + "".join(chr(0x2080 + int(c)) for c in str(k + 1)) for k in range(arm.n)]
     text = d.moved_by(i, names, signed=True).replace("-", "−")
     constant = (d.rows[i].theta if revolute else d.rows[i].d) + d.offset[i]

@@ -7,6 +7,8 @@ UNIT_SLACK = 1e-3
 #: Axes whose directions differ by less than this (rad) are taken for parallel. A common normal of nearly parallel axes
 #: lies far away and costs eps / angle of precision, taking them for parallel costs the angle: they balance here.
 PARALLEL_AXES = 1e-8
+#: Where a table leads far outside the arm, axes whose directions differ by less (rad) are what makes it do so.
+NEARLY_PARALLEL = 0.1
 #: A common normal shorter than this (per length of the chain) is taken for an intersection.
 MEETING_AXES = 1e-13
 #: An angle that misses a multiple of 15 deg by no more (rad) is one: what products of frames leave.

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pieper
-from pieper.tolerances import NO_DIRECTION, SMALLEST_VOXEL, TINY
+from pieper.tolerances import SMALLEST_VOXEL, TINY
 from pieper.workbench.messages import MAX_CLOUD, Refused, go_on, number, whole, word
 
 CHUNK = 5_000
@@ -51,7 +51,7 @@ def cloud(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: th
 def _ranges(arm: pieper.Arm) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
     """Return limits with a full turn, or one length of the arm, where there is none."""
     slides = np.array([t == "P" for t in arm.joint_types])
-    size = max(sum(abs(r.a) + abs(r.d) for r in arm.description.rows), 0.1)
+    size = max(arm.chain.length, 0.1)
     free = np.where(slides, size, np.pi)
     lower = np.where(np.isfinite(arm.limits[:, 0]), arm.limits[:, 0], -free)
     upper = np.where(np.isfinite(arm.limits[:, 1]), arm.limits[:, 1], free)
@@ -74,7 +74,7 @@ def _values(
     if colour == "manipulability":
         return arm.aspects(q).manipulability
     J = arm.jacobian(q).copy()
-    J[:, :3] /= max(sum(abs(r.a) + abs(r.d) for r in arm.description.rows), NO_DIRECTION)
+    J[:, :3] /= arm.chain.length
     values = np.linalg.svd(J, compute_uv=False)
     return values[:, -1] / np.maximum(values[:, 0], TINY)
 
