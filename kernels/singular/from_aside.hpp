@@ -164,8 +164,7 @@ class FromAside {
 
   // Whether a row is a point of a curve that only nearly holds the pose, where it is missed by more than rounding: kernels give such.
   bool nearly_holds(const Rigid& T, const Known& one, const std::vector<NearCurve>& curves) const {
-    return one.singular && !one.fold && one.miss > 5 * kMergedRounding * (1 + std::sqrt(dot(T.t, T.t))) &&
-           along_any(curves, one);
+    return one.singular && !one.fold && one.miss > 5 * rounding_of(T) && along_any(curves, one);
   }
 
   // Whether what a row misses beyond rounding is what a more exact one on its curve misses on the way; double roots' ways miss more.
@@ -197,7 +196,7 @@ class FromAside {
         CurvePoint at = s < 0.5 ? piece.a : piece.b;
         piece.point(arm_, s, at.q);
         if (!refine(T, piece.length, at) || is_known(known, at.q, kMergedTwins)) continue;
-        const double rounding = kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)));
+        const double rounding = rounding_of(T);
         // where Newton's method along the curve has not ended the root is merged
         if (std::fabs(at.miss) > kMergedAlong && !(settle(arm_, T, at.q, kSlowSteps, kPreciseRank) < rounding))
           continue;
@@ -215,7 +214,7 @@ class FromAside {
       settle(arm_, T, at, 6, kHeldFirmly);
       const Known one = look_at(T, at);
       if (on_motion(one, out) || nearly_holds(T, one, curves) || is_alone(known, one.q, out)) return true;
-      if (one.singular && one.miss > kMergedRounding * (1 + std::sqrt(dot(T.t, T.t)))) return true;
+      if (one.singular && one.miss > rounding_of(T)) return true;
       if (one.singular && !through(T, one, known, curves, out)) return false;
       if (!on_motion(one, out) && !is_alone(known, one.q, out)) known.push_back(one);
       return true;
@@ -315,7 +314,7 @@ class FromAside {
     double there[6];
     std::copy(twin, twin + kSix, there);
     const double miss = settle(arm_, T, there, kSlowSteps, kPreciseRank);
-    if (!(miss < kMergedRounding * (1 + std::sqrt(dot(T.t, T.t))))) return false;
+    if (!(miss < rounding_of(T))) return false;
     // what rounding cannot tell from the row is the row
     if (arm_.apart(there, twin) > apart / 2) return arm_.apart(there, one.q) < apart / 2;
     Known more = look_at(T, there);

@@ -35,9 +35,11 @@ class Look {
     std::vector<Unsure> unsure;
     std::vector<int> regular;
     bool clear = count % 2 == 0;
+    std::vector<double> own(rows, rows + 6 * count);
+    rows = own.data();
     for (int k = 0; k < count; ++k) {
-      const double* q = rows + 6 * k;
-      const Standing at(arm_, q);
+      double* q = own.data() + 6 * k;
+      Standing at(arm_, q);
       if (well_posed(at.J)) {
         regular.push_back(k);
         continue;
@@ -46,11 +48,15 @@ class Look {
         clear = false;
         continue;
       }
-      const SingularSix d(at.J);
+      SingularSix d(at.J);
       clear = clear && d.s[5] > kClearlyRegular * d.s[0];
       if (d.s[5] > kSingularExamined * d.s[0]) {
         regular.push_back(k);
         continue;
+      }
+      if (stopped_early(T, at, d)) {
+        settle(arm_, T, q, kSlowSteps, kHeldFirmly);
+        at = Standing(arm_, q), d = SingularSix(at.J);
       }
       if (!singular_row(T, q, at, d, {rows, count}, unsure, alone, out.motions)) return false;
     }
@@ -109,6 +115,7 @@ class Look {
   };
 
   static constexpr int kLastDigits = 4;
+  static constexpr int kSlowSteps = 40;  // near merged roots each step only halves what is left
 
   // Whether a row lies on a self-motion that is known, or on a new one of two axes in one line, which is added.
   bool known_motion(const double* q, const Standing& at, std::vector<SelfMotionRead>& motions) const {
@@ -145,11 +152,14 @@ class Look {
     Root root{{}, free == Free::BESIDE ? 1 : branches_of_fold(std::fabs(bend), d)};
     std::copy(q, q + kSix, root.q);
     if (root.branches == 2) onto_root_of_fold(d, bend, root.q);
-    if (root.branches == 1 && free == Free::NO && twin_is_hidden(q, d.s[5], std::fabs(bend), rows)) root.branches = 2;
-    if (root.branches == 0) {  // too flat to be told by its second order
+    const bool flat = root.branches == 0;
+    if (flat) {  // too flat to be told by its second order
       if (next_to_.held(T, q, d.joint[5])) return false;
       root.branches = branches_at(arm_, T, root.q);
     }
+    if (root.branches == 1 && free == Free::NO && !twin_is_told(T, q, d, bend, rows, alone) && !flat &&
+        twin_is_hidden(q, d.s[5], std::fabs(bend), rows))
+      root.branches = 2;
     if (free == Free::BESIDE) {
       int moving = 0;
       for (double x : d.joint[5]) moving += std::fabs(x) > kLoopMoves;
@@ -162,6 +172,35 @@ class Look {
       if (d.s[5] < kRootsApart * d.s[0]) unsure.push_back({root, bar});
     }
     alone.push_back(root);
+    return true;
+  }
+
+  // Whether polishing has ended before a row holds the pose to rounding: near a fold each of its steps only halves what is left.
+  bool stopped_early(const Rigid& T, const Standing& at, const SingularSix& d) const {
+    double e[6];
+    return d.s[4] > kOneWayFree * d.s[0] && at.missing(T, e) > kClosedStalled;
+  }
+
+  // Whether the other root of a fold is one of the rows, or is found and added, or is too far to be looked for: kernels take two for
+  // one in a flat valley, and give one twice where polishing ends beside it.
+  bool twin_is_told(const Rigid& T, const double* q, const SingularSix& d, double bend, const Rows& rows,
+                    std::vector<Root>& alone) const {
+    Root twin{{}, 1};
+    const double t = -d.s[5] / bend;
+    if (!(std::fabs(t) < kClosedValley)) return true;
+    for (int i = 0; i < kSix; ++i) twin.q[i] = q[i] + t * d.joint[5][i];
+    const double near = arm_.apart(q, twin.q) / 2;
+    auto known = [&] {
+      bool any = false;
+      for (int k = 0; k < rows.count; ++k) any |= arm_.apart(rows.q + 6 * k, twin.q) < near;
+      for (const Root& other : alone) any |= arm_.apart(other.q, twin.q) < near;
+      return any;
+    };
+    if (known()) return true;
+    if (!(settle(arm_, T, twin.q, kSlowSteps, kPreciseRank) < rounding_of(T))) return false;
+    // back at the root itself
+    if (arm_.apart(q, twin.q) < near) return false;
+    if (!known()) alone.push_back(twin);
     return true;
   }
 

@@ -48,7 +48,7 @@ inline int branches_of_fold(double bend, const SingularSix& d) {
   if (bend < kClearFold) return 0;
   const double sigma = d.s[5],
                blur = std::fmin(std::sqrt(kMergedRounding / bend), kMergedRounding / std::fmax(sigma, kTiny));
-  return sigma / bend < std::fmax(kMergedSame, 3 * blur) ? 2 : 1;
+  return sigma / bend < std::fmax(kMergedSame, 2 * blur) ? 2 : 1;
 }
 
 // Puts a fold's double root where the fold is: rounding leaves it on one of its two sides, and half way to the other it is.
@@ -56,6 +56,9 @@ inline void onto_root_of_fold(const SingularSix& d, double bend, double* q) {
   const double t = -0.5 * d.s[5] / bend;
   for (int i = 0; i < kSix; ++i) q[i] += t * d.joint[5][i];
 }
+
+// What forward kinematics rounds of a pose.
+inline double rounding_of(const Rigid& T) { return kMergedRounding * (1 + std::sqrt(dot(T.t, T.t))); }
 
 // How many branches merge at a solution, which is put where they do: 1 where its Jacobian is merely poor.
 inline int branches_at(const SixJoints& arm, const Rigid& T, double* q) {
@@ -84,7 +87,7 @@ inline Between most_between(const SixJoints& arm, const Rigid& T, const double* 
 //
 // Two are one when everything between them holds the pose to rounding as well: the blur of a double root is about 1e-8 wide, that
 // of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such are kept apart even where rounding
-// hides what is between them.
+// hides what is between them. Where several directions are free a root has no two sides.
 inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Root>& roots) {
   struct Row {
     Root root;
@@ -98,17 +101,17 @@ inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Roo
     rows.push_back({root, miss, det > 0 ? 1.0 : det < 0 ? -1.0 : 0.0});
   }
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.miss < b.miss; });
-  const double size = 1 + std::sqrt(dot(T.t, T.t));
   std::vector<Row> kept;
   for (const Row& row : rows) {
     bool same = false;
     for (const Row& other : kept) {
       const double apart = arm.apart(row.root.q, other.root.q);
+      const bool sides = row.side != other.side && std::max(row.root.branches, other.root.branches) < 4;
       same = apart < kMergedSame;
-      if (!same && apart < (row.side == other.side ? kMergedBlur : kMergedTwins)) {
+      if (!same && apart < (sides ? kMergedTwins : kMergedBlur)) {
         // a chord leaves a bent curve: what lies between is moved onto it
         const Between most = most_between(arm, T, row.root.q, other.root.q);
-        same = most.strayed < apart / 4 && most.missed <= kMergedAlong && most.rest <= kMergedRounding * size;
+        same = most.strayed < apart / 4 && most.missed <= kMergedAlong && most.rest <= rounding_of(T);
       }
       if (same) break;
     }

@@ -84,11 +84,13 @@ class Unfolding {
     bool near[kOrder];
     double least = INFINITY;
     for (int m = 1; m < kOrder; ++m) near[m] = m > 1 && in_reach(m, centre(m)), least = std::fmin(least, blur_of(m));
-    const int simple = roots_nearer(std::fmax(same, 3 * least));
+    // as far apart what is missed between two of them is as much as roots that are one may miss
+    const double nearer = std::fmax(same, 2 * std::sqrt(kUnfoldingRounding) * least);
+    const int simple = roots_nearer(nearer);
     for (int m = kOrder - 1; m > 1; --m)
       if (near[m] && merged(q, m, out)) return out;
     std::copy(q, q + chain_.joints, out.q);
-    out.branches = std::max(1, simple), out.blur = out.branches > 1 ? std::fmax(same, 3 * least) : 0;
+    out.branches = std::max(1, simple), out.blur = out.branches > 1 ? nearer : 0;
     return out;
   }
 
@@ -141,7 +143,7 @@ class Unfolding {
       jacobian(at, J), missing(0, e);
       const SingularSix d(J);
       bends(d, at);
-      if (!to_centre(d, t)) return 0;
+      if (!to_centre(d, J, t)) return 0;
       for (int a = 0; a < free_; ++a) size += t[a] * t[a];
       size = std::sqrt(size), gone += size;
       if (!(gone < kUnfoldingWidest)) return 0;
@@ -150,11 +152,11 @@ class Unfolding {
       reach(d, e, strong, n, at);
       if (size < kUnfoldingFound) break;
     }
-    for (double part : {0.5, 1.0}) {
-      double between[6];
-      for (int i = 0; i < n; ++i) between[i] = q[i] + part * (at[i] - q[i]);
-      if (!(missed(between) < kCentreHolds * rounding_)) return 0;
-    }
+    // where Newton's method has stalled on the way to q what q itself misses is no more than rounding either
+    const double holds = kCentreHolds * rounding_;
+    double between[6];
+    for (int i = 0; i < n; ++i) between[i] = q[i] + 0.5 * (at[i] - q[i]);
+    if (!(missed(at) < holds) || !(missed(between) < std::fmax(holds, missed(q)))) return 0;
     std::copy(at, at + n, q);
     return gone;
   }
@@ -190,13 +192,16 @@ class Unfolding {
         }
     }
   }
-  // The way t along the free directions to where the Jacobian lacks them most nearly, by least squares; false where that is not told.
-  bool to_centre(const SingularSix& d, double* t) const {
+  // The way t along the free directions to where the Jacobian J lacks them most nearly, by least squares; false where that is not told.
+  // What it does along one is not its singular value times a direction of the pose: of values that are rounding those are any.
+  bool to_centre(const SingularSix& d, const double (*J)[6], double* t) const {
     const int k = free_, strong = chain_.joints - k;
     double A[6][7] = {};
     for (int b = 0; b < k; ++b)
       for (int r = strong; r < 6; ++r) {
-        const double lacks = r == strong + b ? d.s[r] : 0;
+        double lacks = 0;
+        for (int i = 0; i < chain_.joints; ++i)
+          for (int c = 0; c < 6; ++c) lacks += d.pose[r][c] * J[i][c] * d.joint[strong + b][i];
         for (int i = 0; i < k; ++i) {
           for (int j = 0; j < k; ++j) A[i][j] += bend_[b][i][r] * bend_[b][j][r];
           A[i][k] -= bend_[b][i][r] * lacks;

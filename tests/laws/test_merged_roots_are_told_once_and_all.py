@@ -14,7 +14,7 @@ import pieper
 from oracle.arms.strata import ARMS
 from oracle.arms.tables import TABLES
 from oracle.joints import around
-from pieper import DH, Arm, _kernel
+from pieper import DH, Arm
 
 #: Arm, a joint vector, how many solutions its pose has, those that merge counted as often. Each was lost with its twin.
 LOST = [
@@ -53,11 +53,10 @@ def test_solutions_that_are_about_to_merge_are_all_found(name, q, count):
         assert np.abs(arm.fk(rows) - T).max() < 1e-11
 
 
-@pytest.mark.parametrize("name", ["kinova-jaco-j2n6", "kinova-mico", "neuromeka-indy7", "neuromeka-indy12"])
-def test_a_root_with_three_free_directions_is_one(name, request):
-    if name == "kinova-mico" and _kernel.isa == "baseline":
-        # one row there too, of eight branches, but known to 4e-10 only
-        request.applymarker(pytest.mark.xfail(reason="the middle of what rounding scatters is not found", strict=True))
+@pytest.mark.parametrize(
+    "name", ["kinova-jaco-j2n6", "kinova-mico", "kinova-gen3-6dof", "neuromeka-indy7", "neuromeka-indy12"]
+)
+def test_a_root_with_three_free_directions_is_one(name):
     arm = pieper.load(name)
     T = arm.fk(np.zeros(6))
     one, many = arm.ik(T), arm.ik_many(T[None], threads=1)

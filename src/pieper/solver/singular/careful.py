@@ -17,6 +17,7 @@ from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.rows import Flag
 from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps, size_of
 from pieper.solver.singular.examined import Examined
+from pieper.solver.singular.merged_roots import few_apart
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import (
     ALONG_FIRST_AXIS,
@@ -78,7 +79,7 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
     elif own and len(rows) == len(found.q) == plan.max_solutions:
         # rounding may leave open whether a root is two that both are rows: of as many as there can be each is one
         found = replace(found, multiplicity=np.ones(len(rows), np.int64))
-    return (found if own else _own(plan, found)).within(plan.max_solutions)
+    return (found if own else _own(plan, T, found)).within(plan.max_solutions)
 
 
 def _from_all_over(full: Chain, T: Array) -> Array:
@@ -142,19 +143,17 @@ def _holding(plan: Plan, T: Array) -> Array:
     return rows
 
 
-def _own(plan: Plan, found: Examined) -> Examined:
+def _own(plan: Plan, T: Array, found: Examined) -> Examined:
     """Cut the virtual joints off: curves that move only those are points, and points that differ in them are one."""
     moving = [i for i, motion in enumerate(found.self_motions) if motion.free]
     index = np.array([moving.index(i) if i in moving else -1 for i in found.self_motion], np.int64)
     q = found.q[:, : plan.n]
     keep = plan.chain.joints.distinct(q, SAME_AFTER_CUT)
-    return Examined(
-        q[keep],
-        index[keep],
-        found.multiplicity[keep],
-        found.direction[keep, : plan.n],
-        tuple(found.self_motions[i] for i in moving),
-    )
+    alone = keep[index[keep] < 0]
+    few = few_apart(plan.chain, q[alone], missed(plan.exact.full, found.q[alone], T), plan.max_solutions)
+    keep = np.sort(np.concatenate([keep[index[keep] >= 0], alone[few]]))
+    motions = tuple(found.self_motions[i] for i in moving)
+    return Examined(q[keep], index[keep], found.multiplicity[keep], found.direction[keep, : plan.n], motions)
 
 
 def clear(plan: Plan, rows: Array) -> bool:

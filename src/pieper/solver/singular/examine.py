@@ -136,7 +136,7 @@ def examine(
         merged = [q for q in merged if second_smallest(chain, q) > SINGULAR_EXAMINED]
     placed = [merged_root(chain, q, T) for q in (*doubles, *merged)]
     branches = {root.tobytes(): count for root, count in placed}
-    doubles = distinct_roots(chain, [root for root, _ in placed], T)
+    doubles = distinct_roots(chain, placed, T)
     doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
     if most is not None and len(doubles) + len(isolated) > most:
         doubles = _exact_ones(curves, doubles, most - len(isolated))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pieper import _kernel
-from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import inside
 from pieper.kinematics.newton import (
@@ -27,6 +27,9 @@ from pieper.tolerances import (
     MERGED_SAME,
     MERGED_TWINS,
 )
+
+#: The least number of branches that merge in a root where several directions are free.
+SEVERAL_FREE = 4
 
 
 def null_direction(chain: Chain, q: Array) -> Array:
@@ -50,17 +53,21 @@ def merged_root(chain: Chain, q: Array, T: Array) -> tuple[Array, int]:
     return placed * unit, branches
 
 
-def distinct_roots(chain: Chain, rows: list[Array], T: Array) -> list[Array]:
+def distinct_roots(chain: Chain, placed: list[tuple[Array, int]], T: Array) -> list[Array]:
     """Return one of each cluster of singular rows that forward kinematics cannot tell apart, the most exact first.
+
+    Each is given with how many branches merge in it.
 
     Two rows are one when everything between them holds the pose to rounding as well: the blur of a double root is
     about 1e-8 wide, that of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such
-    rows are kept apart even where rounding hides what is between them.
+    rows are kept apart even where rounding hides what is between them. Where several directions are free a root has
+    no two sides.
     """
-    if not rows:
+    if not placed:
         return []
-    q = np.array(rows)
-    q = q[np.argsort(missed(chain, q, T), kind="stable")]
+    q, branches = np.array([root for root, _ in placed]), np.array([count for _, count in placed])
+    order = np.argsort(missed(chain, q, T), kind="stable")
+    q, branches = q[order], branches[order]
     unit = chain.joints.unit
     side = np.sign(determinant(chain, q)) if chain.n == 6 else np.zeros(len(q))
     size = 1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length
@@ -72,7 +79,8 @@ def distinct_roots(chain: Chain, rows: list[Array], T: Array) -> list[Array]:
             apart = np.max(np.abs(gap / unit))
             if apart < MERGED_SAME:
                 break
-            if apart < (MERGED_BLUR if side[k] == side[index] else MERGED_TWINS):
+            sides = side[k] != side[index] and max(branches[k], branches[index]) < SEVERAL_FREE
+            if apart < (MERGED_TWINS if sides else MERGED_BLUR):
                 # a chord leaves a bent curve: what lies between is moved onto it
                 chord = other + np.array([[0.25], [0.5], [0.75]]) * gap
                 between = near_curve.onto(chain, chord, T, 3)
@@ -83,6 +91,23 @@ def distinct_roots(chain: Chain, rows: list[Array], T: Array) -> list[Array]:
         else:
             kept.append(index)
     return [q[k] for k in kept]
+
+
+def few_apart(chain: Chain, q: Array, miss: Array, most: int) -> Indices:
+    """Return which of isolated points q (k, n), which miss a pose by (k,), stay: no more than the pose can have.
+
+    Points found with different values of a task's virtual joints are found each on its own, and next to a fold
+    rounding parts them in the arm's joints too: of the two nearest to each other the one that misses by less is both.
+    """
+    keep = list(range(len(q)))
+    while len(keep) > most:
+        apart = chain.joints.apart(q[keep, None], q[None, keep])
+        apart[np.diag_indices(len(keep))] = np.inf
+        i, j = map(int, np.unravel_index(np.argmin(apart), apart.shape))
+        if not apart[i, j] < MERGED_BLUR:
+            break
+        keep.pop(i if miss[keep[i]] > miss[keep[j]] else j)
+    return np.array(keep, np.int64)
 
 
 def into_limits(chain: Chain, q: Array, T: Array, limits: Array) -> Array:

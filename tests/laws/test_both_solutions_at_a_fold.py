@@ -1,0 +1,90 @@
+"""The two solutions at a fold are both told as soon as a pose in double precision tells them apart.
+
+Between two roots of a fold the pose is missed by a few roundings only, and they are 1e-6 to 1e-3 rad apart. A closed
+form takes them for one in a flat valley, or gives one of them twice where its polishing ends beside it; what counts
+branches may call them one; and where a task's virtual joints are cut off, one solution that was found twice must not
+cost the place of another. Fifty digits say that the solution next to each joint vector is a row.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from benchmarks.measure.fifty_digits import verdict
+from benchmarks.measure.singular_strata import singular_joints, smallest
+from oracle.arms.strata import ARMS
+from oracle.joints import around
+
+#: Arm, and a joint vector at a fold whose solution was not among the rows.
+AT_A_FOLD = [
+    (
+        "fanuc-r2000ic-165f",
+        (-1.8437691567989885, -3.1693970885662863, 1.7447999686591438)
+        + (2.1922031505198274, -0.050014466858633144, -1.896195153091348),
+    ),
+    (
+        "universal-robots-ur5e",
+        (0.15520110053685612, 1.7330584846530432, -3.141592598495838)
+        + (-2.0989971197313553, -2.4097364303028925, 0.7091410519161195),
+    ),
+    (
+        "motoman-ea1400n",
+        (-2.120349957849485, 1.441265988240218, -1.7295822894051212)
+        + (0.6025573283443781, 0.0017861106695663902, 4.749938026223101),
+    ),
+    (
+        "motoman-ea1400n",
+        (2.81982575095694, 1.0165875754344098, -1.9031977108076639)
+        + (-1.8395932310669172, -2.668401781804279, -3.1920728121232433),
+    ),
+    (
+        "motoman-ea1400n",
+        (-0.2489263987729464, 3.622036924162605, -0.42330763872694965)
+        + (3.149157115879802, -1.5079929394227534, -0.314133281959625),
+    ),
+    (
+        "three-r",
+        (0.019803732660072817, 1.5709125630252152, -1.569019824155202),
+    ),
+    (
+        "three parallel, skew",
+        (1.1524864263042935, -2.960946033281001, 4.295182829045406)
+        + (-1.8012605731767044, -2.9156753543892044, 3.4913121364591264),
+    ),
+    (
+        "three parallel, skew",
+        (6.884525837287179, -0.16522833057650538, -2.915753527966459)
+        + (0.2273915074643718, -0.3315073432179901, 1.29117298455807),
+    ),
+]
+
+
+@pytest.mark.parametrize(("name", "q"), AT_A_FOLD)
+def test_both_solutions_at_a_fold_are_told(name, q):
+    arm, q = ARMS[name](), np.array(q)
+    T = arm.fk(q)
+    one, many = arm.ik(T), arm.ik_many(T[None], threads=1)
+    assert one.status.name == "SOLVED" and many.status[0] == one.status
+    assert np.array_equal(one.all_q, many.q[0][many.valid[0]])
+    assert len(one.all_q) % 2 == 0 and np.all(one.multiplicity == 1)
+    asked = range(3) if arm.plan.task == "position" else range(6)
+    assert verdict(arm, T, q, one.all_q, asked=asked) == "rounding"
+    # the twin is a row too, near by, and neither of them twice
+    apart = np.sort(np.abs(around(one.all_q - q)).max(1))
+    assert apart[0] < 3e-6 and 1e-6 < apart[1] < 1e-3 < apart[2]
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("name", ["fanuc-r2000ic-165f", "universal-robots-ur5e", "three parallel, skew"])
+def test_near_a_fold_both_are_told_however_near(name, side):
+    """From 1e-7 to 1e-4 rad beside a fold, on either side of it: the joint vector is always found."""
+    arm, rng = ARMS[name](), np.random.default_rng(14)
+    q = np.repeat(singular_joints(arm, rng, 12), 7, axis=0)
+    way = rng.standard_normal(q.shape)
+    way /= np.linalg.norm(way, axis=1, keepdims=True)
+    q = q + side * np.tile(10.0 ** np.linspace(-7, -4, 7), 12)[:, None] * way
+    many = arm.ik_many(arm.fk(q), threads=1)
+    apart = np.where(many.valid, np.abs(around(many.q - q[:, None])).max(-1), np.inf).min(1)
+    assert np.all(apart < 1e-6 + 1e-14 / smallest(arm, q))
+    assert np.all(many.status == 0)
