@@ -8,7 +8,7 @@ import pytest
 import pieper
 from pieper import Status
 from pieper.solver.rows import Flag
-from pieper.solver.singular.careful import overlooked
+from pieper.solver.singular.overlooked import overlooked
 from tests.kernels.test_solver import PI
 
 ARMS = ["denso-vp6242", "puma-560", "fanuc-r2000ic-165f", "ur5e", "stanford", "motoman-ea1400n", "fanuc-crx-10ia"]

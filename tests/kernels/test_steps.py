@@ -102,7 +102,7 @@ def test_a_followed_self_motion_holds_its_pose_in_small_steps_until_it_is_home(n
 def test_arrays_of_the_wrong_shape_are_refused():
     chain = pieper.load("denso-vp6242").chain.plain
     with pytest.raises(ValueError, match="q must be"):
-        _kernel.onto(chain, q=np.zeros((3, 5)), T=np.eye(4), steps=1, cutoff=0.1, longest=0.5, regular=1.0)
+        _kernel.onto(chain, q=np.zeros((3, 5)), T=np.eye(4), steps=1, cutoff=0.1, longest=0.5)
     with pytest.raises(ValueError, match="q and direction"):
         _kernel.follow_curve(
             chain, q=np.zeros(5), T=np.eye(4), direction=np.zeros(6), step=0.1, straight=0.9, most_steps=9
