@@ -15,6 +15,7 @@ from pieper.solver.singular.trace import trace
 from pieper.tolerances import CURVE_STEP
 
 ARMS = ["denso-vp6242", "franka-panda", "rethink-sawyer", "stanford-arm", "general eight", "sliding seven"]
+ARMS += ["rob0036", "pincherx-100"]  # with fewer joints than a pose has freedoms
 
 
 def some(name: str) -> Arm:
@@ -62,6 +63,18 @@ def test_a_step_of_newton_is_the_shortest_there_is(name):
     J = np.where(arm.chain.prismatic, J * arm.chain.length, J)
     for way, slope, e in zip((moved - start) / unit, J, missing, strict=True):
         assert np.abs(way - np.linalg.pinv(slope, rcond=1e-12) @ e).max() < 1e-9
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_weakest_direction_is_bounded_from_below(name):
+    arm, rng = some(name), np.random.default_rng(7)
+    q = rng.uniform(-1, 1, (200, arm.n)) * arm.chain.joints.unit
+    q[:20, 1:] = 0.0  # singular ones among them
+    J = slow_forward.jacobian(arm.chain, q)
+    J[:, :3] /= arm.chain.length
+    s = np.linalg.svd(np.where(arm.chain.prismatic, J * arm.chain.length, J), compute_uv=False)
+    true, bound = s[:, -1] / s[:, 0], _kernel.parts_of_weakest(arm.chain.plain, q=q)
+    assert (bound <= true + 1e-15).all() and (6.001 * bound >= true - 1e-14).all()
 
 
 @pytest.mark.parametrize("name", ARMS)
