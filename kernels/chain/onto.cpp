@@ -8,36 +8,76 @@ namespace pieper {
 using namespace PIEPER_ISA;
 namespace {
 
-// The shortest step J^T (J J^T)^-1 e. False where a row of J is nearly a sum of others.
-bool regular_step(const Posture& arm, const double* e, double regular, std::vector<double>& J, double* step) {
-  const int n = arm.n;
-  double A[6][6], y[6];
-  for (int k = 0; k < n; ++k) arm.column(k, &J[6 * k]);
-  for (int i = 0; i < 6; ++i) {
-    y[i] = e[i];
-    for (int j = 0; j <= i; ++j) {
-      A[i][j] = 0;
-      for (int k = 0; k < n; ++k) A[i][j] += J[6 * k + i] * J[6 * k + j];
+// The Jacobian of an arm, or its transpose where joints are to spare, made a triangle by reflections (Householder).
+class Triangle {
+ public:
+  explicit Triangle(int n) : n_(n), long_(n > 6 ? n : 6), few_(n > 6 ? 6 : n), columns_(long_ * few_), rest_(long_) {}
+
+  // The shortest step that misses least; a tenth of what singular values cost. False where some direction may be weaker
+  // than `weakest` of the strongest.
+  bool step(const Posture& arm, const double* e, double weakest, double* out) {
+    const bool spare = n_ > 6;
+    if (!spare) std::copy(e, e + 6, rest_.begin());
+    if (!(part_of_weakest(arm) > weakest)) return false;
+    if (!spare) {
+      for (int c = 0; c < few_; ++c) reflect(c, rest_.data());
+      for (int i = few_ - 1; i >= 0; --i) {
+        double left = rest_[i];
+        for (int k = i + 1; k < few_; ++k) left -= column(k)[i] * out[k];
+        out[i] = left / diagonal_[i];
+      }
+      return true;
     }
-  }
-  for (int i = 0; i < 6; ++i) {
-    const double whole = A[i][i];
-    for (int j = 0; j <= i; ++j) {
-      for (int c = 0; c < j; ++c) A[i][j] -= A[i][c] * A[j][c];
-      if (j < i) A[i][j] /= A[j][j];
+    std::fill(rest_.begin(), rest_.end(), 0.0);
+    for (int i = 0; i < few_; ++i) {
+      double left = e[i];
+      for (int k = 0; k < i; ++k) left -= column(i)[k] * rest_[k];
+      rest_[i] = left / diagonal_[i];
     }
-    if (!(A[i][i] > regular * whole)) return false;
-    A[i][i] = std::sqrt(A[i][i]);
-    for (int c = 0; c < i; ++c) y[i] -= A[i][c] * y[c];
-    y[i] /= A[i][i];
+    for (int c = few_ - 1; c >= 0; --c) reflect(c, rest_.data());
+    std::copy(rest_.begin(), rest_.end(), out);
+    return true;
   }
-  for (int i = 5; i >= 0; --i) {
-    for (int c = i + 1; c < 6; ++c) y[i] -= A[c][i] * y[c];
-    y[i] /= A[i][i];
+
+  // The weakest direction is at least this part of the strongest: by the sizes of the triangle and of its inverse.
+  double part_of_weakest(const Posture& arm) {
+    for (int k = 0; k < n_; ++k) {
+      double moved[6];
+      arm.column(k, moved);
+      for (int i = 0; i < 6; ++i) columns_[n_ > 6 ? long_ * i + k : long_ * k + i] = moved[i];
+    }
+    double all = 0, inverse = 0;
+    for (int c = 0; c < few_; ++c) {
+      double* v = column(c);
+      const double norm = size_of(v + c, long_ - c);
+      if (!(norm > 0)) return 0;
+      diagonal_[c] = v[c] > 0 ? -norm : norm;
+      v[c] -= diagonal_[c], half_[c] = -diagonal_[c] * v[c];
+      for (int d = c + 1; d < few_; ++d) reflect(c, column(d));
+      all += norm * norm + dot_of(v, v, c);
+      double y[6];
+      for (int i = c; i >= 0; --i) {
+        double left = i == c;
+        for (int k = i + 1; k <= c; ++k) left -= column(k)[i] * y[k];
+        y[i] = left / diagonal_[i], inverse += y[i] * y[i];
+      }
+    }
+    return 1 / std::sqrt(all * inverse);
   }
-  for (int k = 0; k < n; ++k) step[k] = dot_of(&J[6 * k], y, 6);
-  return true;
-}
+
+ private:
+  double* column(int c) { return &columns_[long_ * c]; }
+  void reflect(int c, double* x) {
+    const double* v = column(c);
+    const double part = dot_of(v + c, x + c, long_ - c) / half_[c];
+    for (int k = c; k < long_; ++k) x[k] -= part * v[k];
+  }
+
+  int n_, long_, few_;
+  // of each column what lies above the diagonal of the triangle, then its reflector, of which half the square is kept
+  std::vector<double> columns_, rest_;
+  double diagonal_[6], half_[6];
+};
 
 }  // namespace
 
@@ -46,7 +86,9 @@ void onto(const PlainChain& chain, const Steps& how, long count, const double* T
   Posture arm(chain);
   SingularRows rows;
   const int n = chain.n;
-  std::vector<double> at(n), best(n), step(n), J(6 * n);
+  std::vector<double> at(n), best(n), step(n);
+  Triangle triangle(n);
+  const double weakest = std::fmax(kNewtonRegular, how.cutoff);
   for (long i = 0; i < count; ++i, q += n) {
     const Rigid goal = read_rigid(one_pose ? T : T + 16 * i, chain.length);
     for (int k = 0; k < n; ++k) at[k] = best[k] = q[k] / chain.unit(k);
@@ -61,7 +103,7 @@ void onto(const PlainChain& chain, const Steps& how, long count, const double* T
       // rounding is reached, or what is missed has stopped shrinking: at a double root it shrinks by four a step
       if (!(size > kNewtonDone && size < INFINITY) || (least <= kNewtonStalls && stalled >= 3) || taken == how.most)
         break;
-      if (!(how.regular < 1) || !regular_step(arm, e, how.regular, J, step.data())) {
+      if (!triangle.step(arm, e, weakest, step.data())) {
         rows.take(arm, e, nullptr);
         rows.shortest(how.cutoff, step.data());
       }
@@ -72,6 +114,17 @@ void onto(const PlainChain& chain, const Steps& how, long count, const double* T
     left[i] = least;
     if (!better) continue;  // as it was given, to the last digit
     for (int k = 0; k < n; ++k) q[k] = best[k] * chain.unit(k);
+  }
+}
+
+void parts_of_weakest(const PlainChain& chain, long count, const double* q, double* out) {
+  Posture arm(chain);
+  Triangle triangle(chain.n);
+  std::vector<double> at(chain.n);
+  for (long i = 0; i < count; ++i, q += chain.n) {
+    for (int k = 0; k < chain.n; ++k) at[k] = q[k] / chain.unit(k);
+    arm.stand(at.data());
+    out[i] = triangle.part_of_weakest(arm);
   }
 }
 

@@ -29,7 +29,9 @@ inline bool even(const Found& found) {
 }
 
 // Whether an elimination has kept digits enough to be a witness: two eigenvalues that coincide part by the root of what it has lost.
-inline bool trusted(const Variant& v, const Report& report) { return report.size > kGeneralTrusted * v.typical; }
+inline bool trusted(const Variant& v, const Report& report) {
+  return report.size > kGeneralTrusted * v.typical || report.proven;
+}
 
 inline bool settled(const Report& report, const Found& found) {
   return !report.doubtful && !report.strayed && report.unresolved == 0 && report.lost == 0 &&
@@ -47,8 +49,20 @@ inline bool agreed(const Variant& v, const Report& report, const Found& found, i
 // The same of the pose itself. A nearby arm is no witness where two solutions may be about to merge: of it they may be complex. Where
 // there are no other witnesses nothing is certain anyhow.
 inline bool witnessed(const Model& model, const Variant& v, const Report& report, const Found& found, int before) {
-  const bool keeps = report.size > kGeneralWitness * v.typical;
+  const bool keeps = report.size > kGeneralWitness * v.typical || report.proven;
   return keeps && (!report.blind || model.variant[0].arm) && agreed(v, report, found, before);
+}
+
+// Whether as many solutions are there as six joints can have, each regular and its root's only one: then nothing is missing
+// whatever an elimination says, and no self-motion passes, whose points would be more.
+inline bool all_there(const Model& model, const Found& found) {
+  if (found.count != kSlots) return false;
+  for (int i = 0; i < kSlots; ++i) {
+    if (found.merged[i] || !(found.sigma[i] > kGeneralMerged) || !(found.residual[i] < kGeneralResolved)) return false;
+    for (int j = 0; j < i; ++j)
+      if (nearer_than(kGeneralSame, found.q[i], found.q[j], model.prismatic)) return false;
+  }
+  return true;
 }
 
 // Solutions of a neighbouring pose, polished onto this one.
@@ -87,10 +101,12 @@ inline bool escalate(const Model& model, const Rigid& pose, Found& found, bool* 
   for (int n = 1; n < model.variants; ++n) {
     const int before = found.count;
     solve_variant(model, model.variant[n], pose, 1, &found, &report);
+    if (all_there(model, found)) return true;
     // solutions fetched from nearby arms are believed when all of them agree
     const bool last = n + 1 == model.variants;
     if (witnessed(model, model.variant[n], report, found, before) && (last || model.variant[0].arm == 0)) {
-      *healthy = model.variant[n].arm == 0 && report.size > kGeneralMarked * model.variant[n].typical;
+      *healthy =
+          model.variant[n].arm == 0 && (report.size > kGeneralMarked * model.variant[n].typical || report.proven);
       return true;
     }
   }
@@ -199,18 +215,19 @@ template <class F> void solve_group(const Model& model, const double* T, int use
   solve_variant(model, model.variant[0], load_poses<F>(T), used, found, report);
   for (int i = 0; i < used; ++i) {
     // an elimination that has lost digits for this arm is not believed on its own word
-    const bool weak = !(report[i].size > kGeneralMarked * model.variant[0].typical);
+    const bool weak = !(report[i].size > kGeneralMarked * model.variant[0].typical) && !report[i].proven;
     bool certain =
         model.variant[0].noise < kGeneralQuiet && trusted(model.variant[0], report[i]) && settled(report[i], found[i]);
     // next to a pose where the elimination is singular, variants may agree on what all of them have lost
     bool fetched = false, healthy = false;
     const bool at_once = certain;
+    certain = certain || all_there(model, found[i]);
     if (!certain) certain = escalate(model, load_poses<double>(T + 16 * i), found[i], &fetched, &healthy);
-    const bool singular = (weak && !healthy) || fetched;
+    const bool whole = !at_once && all_there(model, found[i]), singular = !whole && ((weak && !healthy) || fetched);
     // no eigenvalue near the real line: a pose beside this one brings none onto it
     const bool edge = !at_once || report[i].nearly > 0;
     // what only nearby arms vouch for is not certain
-    to.write(model, found[i], certain && model.variant[0].arm == 0, edge, at[i]);
+    to.write(model, found[i], certain && (model.variant[0].arm == 0 || whole), edge, at[i]);
     if (singular) to.flag[at[i]] |= kDegenerate;
   }
 }
@@ -248,11 +265,21 @@ struct Waiting {
   }
 };
 
+// The bits of poses that are farther away than the links laid end to end.
+template <class F> unsigned beyond_reach(const Model& model, const RigidT<F>& pose) {
+  const Vec3 base = model.link[0][0].t;
+  const Vec3T<F> away = (1 / model.scale) * pose.t - Vec3T<F>{F(base.x), F(base.y), F(base.z)};
+  return bits_of(dot(away, away) > model.farthest * model.farthest);
+}
+
 // What the signs settle of W poses at T, the first of which is `first` of the call; the others wait.
 template <class F>
 void settle_by_signs(const Model& model, const double* T, int used, long first, const Answers& to, Waiting& waiting) {
   Found found[width_of<F>];
-  const unsigned unclear = solve_by_signs(model, load_poses<F>(T), used, found);
+  const RigidT<F> pose = load_poses<F>(T);
+  const unsigned all = (1u << used) - 1u, none = beyond_reach(model, pose) & all;
+  for (int i = 0; i < used; ++i) found[i].count = 0;
+  const unsigned unclear = none == all ? 0 : solve_by_signs(model, pose, used, found) & ~none;
   for (int i = 0; i < used; ++i)
     if ((unclear >> i) & 1u) waiting.add(model, T + 16 * i, first + i, to);
     else to.write(model, found[i], true, false, first + i);

@@ -33,6 +33,7 @@ struct Model {
   Rigid link[3][7];
   bool prismatic[6];
   int prismatic_count;
+  double farthest;  // how far from its base's frame an arm of turns brings its tool, scaled; infinite with slides
   int variants;
   bool by_signs;  // whether the best way's determinant tells of most poses by its signs (by_signs.hpp)
   Variant variant[kMaxVariants];

@@ -317,6 +317,9 @@ inline bool make_model(const General& arm, Model& model, Trial* trials) {
     model.prismatic[k] = arm.slides[k];
     model.prismatic_count += model.prismatic[k];
   }
+  model.farthest = model.prismatic_count ? __builtin_inf() : 0;
+  for (int k = 1; k < 7; ++k)
+    model.farthest += __builtin_sqrt(dot(model.link[0][k].t, model.link[0][k].t)) * (1 + kBeyondReach);
   if (model.prismatic_count == 3) {
     for (int t = 0; t < kTried; ++t) trials[t] = {0, 0, 0, 1.0};
     model.variants = slides_work(model);

@@ -7,6 +7,8 @@
 namespace pieper::PIEPER_ISA::general {
 
 inline constexpr int kMaxFound = 32;
+// So many real eigenvalues tell what rounding has left of a determinant.
+inline constexpr int kToldByReal = 2;
 
 // Distinct verified solutions of one pose, joints in robot order, lengths scaled.
 struct Found {
@@ -76,6 +78,7 @@ struct Report {
   bool strayed;    // the eigenvalues are not the zeros of the determinant: they have lost their digits
   double spread;   // largest distance of an eigenvalue from the hidden angle of its polished solution
   double size;     // largest |determinant| met
+  bool proven;     // of a determinant that has lost digits: its real zeros tell that no other can be real
 };
 
 inline const double* start_vector(int which) {
@@ -142,6 +145,39 @@ inline void count_lost(const Variant& v, const Candidate* list, int count, const
   }
 }
 
+// Whether no complex eigenvalue can be real, told by the real ones, each of which has a solution of its own.
+//
+// How far those lie from their solutions says what rounding has left of this determinant, however small it is: about a root it is off by
+// its slope there times that. A pair that is no pair for rounding alone leaves no more between its two on the real line.
+inline bool told_by_real_ones(int eigenvalues, const double* re, const double* im, double chart, const Candidate* list,
+                              int count, const Found& found, int hidden) {
+  // at an angle counted from the chart's, beside what it is where t is infinite; one factor may be left out
+  const auto determinant_at = [&](double angle, int without) {
+    const double c = __builtin_cos(angle / 2), s = __builtin_sin(angle / 2);
+    double square = 1;
+    for (int k = 0; k < eigenvalues; ++k) {
+      const double x = c * re[k] - s, y = c * im[k], whole = 1 + re[k] * re[k] + im[k] * im[k];
+      square *= k == without ? whole : x * x + y * y;
+    }
+    return __builtin_sqrt(square);
+  };
+  double left = kGeneralPerfect;
+  int real = 0;
+  for (int k = 0, at = 0; k < eigenvalues; ++k) {
+    if (im[k] != 0) continue;
+    while (at < count && list[at].partner != 0) ++at;  // real candidates stand in the order of their eigenvalues
+    if (at == count || list[at].solution < 0) return false;
+    const double off = angle_apart(found.q[list[at].solution][hidden], list[at].angle);
+    const double there = 0.5 * determinant_at(list[at].angle - chart, k) * off;
+    left = there > left ? there : left;
+    ++at, ++real;
+  }
+  if (real < kToldByReal) return false;
+  for (int k = 0; k < eigenvalues; ++k)
+    if (im[k] > 0 && !(determinant_at(real_part(re[k], im[k]), -1) > kGeneralProven * left)) return false;
+  return true;
+}
+
 // All solutions that one variant finds for `used` poses in lanes; adds to `found`, writes one report per pose.
 template <class F, int N> void solve_variant(const Model& model, const Variant& v, const RigidT<F>& pose, int used,
                                              Found* found, Report* report) {
@@ -153,17 +189,18 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
   double re[W][S], im[W][S];
   int eigenvalues[W];
   hessenberg_eigenvalues(matrix.h, re, im, eigenvalues);
+  const auto chart_of = [&](int i) { return __builtin_atan2(lane(poses.chart_s, i), lane(poses.chart_c, i)); };
   Candidate list[W * 20];
   int count = 0;
   for (int i = 0; i < used; ++i) {
-    const double chart = __builtin_atan2(lane(poses.chart_s, i), lane(poses.chart_c, i));
+    const double chart = chart_of(i);
     const double size = lane(poses.largest, i);
     double around[kRound];
     for (int k = 0; k < kRound; ++k) around[k] = lane(poses.around[k], i);
     // a determinant that has lost its own digits is no measure
     const bool astray =
         size > kGeneralTrusted * v.typical && !(strayed(eigenvalues[i], re[i], im[i], around) < kGeneralStrayed);
-    report[i] = {0, 0, 0, 0, 0, eigenvalues[i] < S || !(size > kGeneralVanishing * v.typical), astray, 0, size};
+    report[i] = {0, 0, 0, 0, 0, eigenvalues[i] < S || !(size > kGeneralVanishing * v.typical), astray, 0, size, false};
     const int first = count;
     for (int k = 0; k < eigenvalues[i]; ++k) {
       const double a = re[i][k], b = im[i][k], imaginary = imaginary_part(a, b);
@@ -211,6 +248,17 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
     }
     const double d = angle_apart(found[list[k].pose].q[list[k].solution][v.roles.joint[2]], list[k].angle);
     if (d > r.spread) r.spread = d;
+  }
+  for (int i = 0, first = 0; i < used; ++i) {
+    int own = 0;
+    while (first + own < count && list[first + own].pose == i) ++own;
+    if (!v.arm && !(report[i].size > kGeneralTrusted * v.typical) && eigenvalues[i] == S && report[i].unresolved == 0) {
+      double around[kRound];
+      for (int k = 0; k < kRound; ++k) around[k] = lane(poses.around[k], i);
+      report[i].proven = strayed(S, re[i], im[i], around) < kGeneralStrayed &&
+                         told_by_real_ones(S, re[i], im[i], chart_of(i), list + first, own, found[i], v.roles.joint[2]);
+    }
+    first += own;
   }
 }
 

@@ -362,8 +362,8 @@ def onto(
     steps: int,
     cutoff: float,
     longest: float,
-    regular: float,
 ) -> tuple[Array, Array]: ...
+def parts_of_weakest(chain: Forward, *, q: ArrayLike) -> Array: ...
 def unfold(chain: Forward, *, q: ArrayLike, T: ArrayLike, mixed: ArrayLike | None) -> tuple[Array, int]: ...
 def nearer(
     chain: Forward,

@@ -8,7 +8,7 @@ import pytest
 import pieper
 from pieper import Status
 from pieper.solver.rows import Flag
-from pieper.solver.singular.careful import overlooked
+from pieper.solver.singular.overlooked import overlooked
 from tests.kernels.test_solver import PI
 
 ARMS = ["denso-vp6242", "puma-560", "fanuc-r2000ic-165f", "ur5e", "stanford", "motoman-ea1400n", "fanuc-crx-10ia"]
@@ -97,3 +97,31 @@ def test_the_word_is_the_kernels_alone():
     for pose, flag, status in zip(T, many.flag, many.status, strict=True):
         alone = arm.ik(pose)
         assert alone.flag == flag and alone.status == Status(status)
+
+
+def test_what_is_farther_than_the_links_laid_end_to_end_is_out_of_reach_at_once():
+    arm, rng = random_six(), np.random.default_rng(9)
+    T = arm.fk(rng.uniform(-PI, PI, (50, 6)))
+    far = T.copy()
+    far[:, :3, 3] *= 20
+    mixed = np.ascontiguousarray(np.stack([T, far], 1).reshape(-1, 4, 4))  # some of either in every group of lanes
+    q, valid, _, flags = arm.plan.solver.many(mixed, 1)
+    assert (flags[1::2] == Flag.OUT_OF_REACH).all() and not valid[1::2].any()
+    alone = arm.plan.solver.many(np.ascontiguousarray(T), 1)
+    assert np.array_equal(valid[::2], alone[1]) and np.abs(q[::2] - alone[0]).max() < 1e-9
+    straight = arm.plan.farthest  # the bound is no smaller than what the arm reaches
+    assert np.linalg.norm(arm.fk(rng.uniform(-PI, PI, (20000, 6)))[:, :3, 3], axis=1).max() < straight
+
+
+@pytest.mark.parametrize("name", ["rob0036", "xarm5"])
+def test_a_typed_pose_far_from_where_postures_merge_is_not_looked_at_with_care(name):
+    arm, rng = pieper.load(name), np.random.default_rng(3)
+    q = rng.uniform(-1.5, 1.5, (300, arm.n))
+    T = np.round(arm.fk(q), 6)
+    s = np.linalg.svd(arm.jacobian(q), compute_uv=False)
+    strength = s[:, -1] / s[:, 0]
+    far = strength > np.median(strength)
+    batch = arm.ik_many(T)
+    out = batch.status == Status.OUT_OF_REACH
+    assert out.mean() > 0.9  # it misses by some 1e-6, and five joints cannot make up for that
+    assert overlooked(arm.plan, T[far & out]).mean() < 0.02 and overlooked(arm.plan, T[out]).mean() < 0.1

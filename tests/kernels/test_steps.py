@@ -15,6 +15,7 @@ from pieper.solver.singular.trace import trace
 from pieper.tolerances import CURVE_STEP
 
 ARMS = ["denso-vp6242", "franka-panda", "rethink-sawyer", "stanford-arm", "general eight", "sliding seven"]
+ARMS += ["rob0036", "pincherx-100"]  # with fewer joints than a pose has freedoms
 
 
 def some(name: str) -> Arm:
@@ -65,6 +66,18 @@ def test_a_step_of_newton_is_the_shortest_there_is(name):
 
 
 @pytest.mark.parametrize("name", ARMS)
+def test_the_weakest_direction_is_bounded_from_below(name):
+    arm, rng = some(name), np.random.default_rng(7)
+    q = rng.uniform(-1, 1, (200, arm.n)) * arm.chain.joints.unit
+    q[:20, 1:] = 0.0  # singular ones among them
+    J = slow_forward.jacobian(arm.chain, q)
+    J[:, :3] /= arm.chain.length
+    s = np.linalg.svd(np.where(arm.chain.prismatic, J * arm.chain.length, J), compute_uv=False)
+    true, bound = s[:, -1] / s[:, 0], _kernel.parts_of_weakest(arm.chain.plain, q=q)
+    assert (bound <= true + 1e-15).all() and (6.001 * bound >= true - 1e-14).all()
+
+
+@pytest.mark.parametrize("name", ARMS)
 def test_a_descent_never_leaves_its_box_and_says_what_it_misses(name):
     arm, rng = some(name), np.random.default_rng(3)
     unit = arm.chain.joints.unit
@@ -102,7 +115,7 @@ def test_a_followed_self_motion_holds_its_pose_in_small_steps_until_it_is_home(n
 def test_arrays_of_the_wrong_shape_are_refused():
     chain = pieper.load("denso-vp6242").chain.plain
     with pytest.raises(ValueError, match="q must be"):
-        _kernel.onto(chain, q=np.zeros((3, 5)), T=np.eye(4), steps=1, cutoff=0.1, longest=0.5, regular=1.0)
+        _kernel.onto(chain, q=np.zeros((3, 5)), T=np.eye(4), steps=1, cutoff=0.1, longest=0.5)
     with pytest.raises(ValueError, match="q and direction"):
         _kernel.follow_curve(
             chain, q=np.zeros(5), T=np.eye(4), direction=np.zeros(6), step=0.1, straight=0.9, most_steps=9

@@ -53,6 +53,36 @@ def test_solutions_that_are_about_to_merge_are_all_found(name, q, count):
         assert np.abs(arm.fk(rows) - T).max() < 1e-11
 
 
+#: Arm, a joint vector near folds at which the elimination keeps few digits, how many solutions its pose has. Where as
+#: many are found as there can be, or the determinant's other roots say how many digits are left, nothing is in doubt.
+CLEAR = [
+    ("fanuc-crx-10ia", (-1.9940667619443206, -0.06315896751765004, 1.5725544032130445)
+     + (0.013063486700183535, 0.7040709541541594, 0.8336566988305192), 16),
+    ("fanuc-crx-10ia", (-1.8775178361058322, -3.0217453915943135, 1.5338837725429766)
+     + (0.06803470508312204, 0.017906728481527967, -0.7780574330904018), 16),
+    ("fanuc-crx-10ia", (-2.990256764142819, -2.7778567210488667, 1.5676244798951515)
+     + (3.1246279029943347, 0.0828267033415111, 1.0552893222421051), 16),
+    ("kinova-gen3-6dof", (-0.058049953039409186, 0.6075822528140766, 1.4233874695918929)
+     + (0.15339177458043807, 0.39083696620950503, -0.050939946427506655), 8),
+    ("kinova-gen3-6dof", (2.2778354501852633, 2.9354286072698392, -0.4710780723923871)
+     + (3.0355445775157626, 0.19840409011100935, -1.3079923769399713), 8),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "q", "count"), CLEAR)
+def test_poses_near_folds_of_which_all_is_clear_are_not_marked(name, q, count):
+    arm = pieper.load(name) if name in pieper.catalog() else an_arm(name)
+    T = arm.fk(np.array(q))
+    rows, valid, _, flags = arm.plan.solver.many(T[None], 1)
+    assert flags[0] == 0 and valid[0].sum() == count
+    found = rows[0][valid[0]]
+    assert np.abs(arm.fk(found) - T).max() < 1e-11
+    apart = np.abs(around(found[:, None] - found[None])).max(-1)
+    assert apart[np.triu_indices(count, 1)].min() > 1e-6
+    one = arm.ik(T)
+    assert one.status.name in ("SOLVED", "OUTSIDE_LIMITS") and len(one.all_q) == count and not one.self_motions
+
+
 @pytest.mark.parametrize(
     "name", ["kinova-jaco-j2n6", "kinova-mico", "kinova-gen3-6dof", "neuromeka-indy7", "neuromeka-indy12"]
 )

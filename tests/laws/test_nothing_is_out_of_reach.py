@@ -8,7 +8,7 @@ import pytest
 from oracle.arms.known import free
 from pieper import Arm
 from pieper.solver.rows import Flag
-from pieper.solver.singular.careful import overlooked
+from pieper.solver.singular.overlooked import overlooked
 
 ARMS = ["stanford-arm", "denso-vp6242", "unimation-puma-560", "universal-robots-ur5e"]
 

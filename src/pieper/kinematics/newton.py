@@ -16,7 +16,6 @@ from pieper.tolerances import (
     NEWTON_DONE,
     NEWTON_FINITE,
     NEWTON_HELD_RANK,
-    NEWTON_REGULAR,
     NEWTON_SQUARE,
     NEWTON_STALLS,
     TINY,
@@ -73,6 +72,14 @@ def determinant(chain: Chain, q: Array) -> Array:
 def singular_values(chain: Chain, q: Array) -> Array:
     """Return the singular values (..., min(n, 6)) of the Jacobian without units, largest first."""
     return np.asarray(np.linalg.svd(scaled_jacobian(chain, q), compute_uv=False), np.float64)
+
+
+def at_least_as_strong(chain: Chain, q: Array) -> Array:
+    """Return what part of the largest singular value at q (k, n) the smallest is at least: up to six times too low."""
+    if chain.coupling is None:
+        return _kernel.parts_of_weakest(chain.plain, q=q)
+    s = singular_values(chain, q)
+    return np.asarray(s[:, -1] / s[:, 0], np.float64)
 
 
 def null_space(chain: Chain, q: Array) -> tuple[Array, Array]:
@@ -191,9 +198,7 @@ def newton(
 
     start = q.reshape(-1, chain.n)
     if rows is None and chain.coupling is None:
-        moved, _ = _kernel.onto(
-            chain.plain, q=start, T=poses, steps=steps, cutoff=cutoff, longest=max_step, regular=1.0
-        )
+        moved, _ = _kernel.onto(chain.plain, q=start, T=poses, steps=steps, cutoff=cutoff, longest=max_step)
         return moved.reshape(q.shape)
     counted = np.eye(6) if rows is None else rows
 
@@ -207,17 +212,12 @@ def newton(
     return settled(miss, slope, start, chain.joints.unit, steps=steps, longest=max_step, step=step)[0].reshape(q.shape)
 
 
-def newton_quick(chain: Chain, q: Array, T: Array, steps: int) -> tuple[Array, Array]:
-    """Move joint vectors q (k, n) towards the poses T (k, 4, 4) like `newton`, and return them and what they miss (k,).
-
-    The same steps but for rounding: where the Jacobian is far from losing rank they take no singular values.
-    """
+def newton_and_miss(chain: Chain, q: Array, T: Array, steps: int) -> tuple[Array, Array]:
+    """Move joint vectors q (k, n) towards poses T (k, 4, 4) as `newton` does; return them and what they miss (k,)."""
     if chain.coupling is not None:
         moved = newton(chain, q, T, steps=steps)
         return moved, missed(chain, moved, T)
-    return _kernel.onto(
-        chain.plain, q=q, T=T, steps=steps, cutoff=NEWTON_CUTOFF, longest=LONGEST, regular=NEWTON_REGULAR
-    )
+    return _kernel.onto(chain.plain, q=q, T=T, steps=steps, cutoff=NEWTON_CUTOFF, longest=LONGEST)
 
 
 def newton_on_plane(

@@ -257,7 +257,8 @@ def _read(plan: Plan, pose: Array, q: Array, flag: int) -> Solutions | None:
 
 def _careful(plan: Plan, T: Array, q: Array, slots: Slots, inside: Bools, flag: int) -> Solutions:
     """Look again at a pose that has no rows, or was marked: self-motions, merged roots, what a kernel overlooked."""
-    from pieper.solver.singular.careful import overlooked, sure_beside
+    from pieper.solver.singular.careful import sure_beside
+    from pieper.solver.singular.overlooked import overlooked
 
     if not len(q) and beyond(plan, T[None])[0]:
         return Solutions(plan, WORDS, T, q, slots, inside, flag & ~DOUBTS)
@@ -294,7 +295,8 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         return status
     if not np.all(np.abs(poses[~some, :3, 3]) <= FARTHEST):
         checked_pose(poses, "Ts", batch=True)  # the kernel refuses no place, however far
-    from pieper.solver.singular.careful import overlooked, sure_beside
+    from pieper.solver.singular.careful import sure_beside
+    from pieper.solver.singular.overlooked import overlooked
     from pieper.solver.singular.read_off import crowded
 
     near = rows_from_afar(plan, poses, rows, status, ik_many)
@@ -302,14 +304,12 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     # a kernel that gives no rows says whether poses beside have none; of a chain within another that says nothing
     edge = near & ((rows.flags & _EDGE) > 0 if plan.direct else ~some)
     rows.flags[:] = rows.flags & np.uint8(255 ^ _EDGE)
-    doubted = np.flatnonzero(near & ((rows.flags & _DOUBTFUL) == _UNCERTAIN))
-    for first in range(0, len(doubted), LOOKED_AT_ONCE):
-        part = doubted[first : first + LOOKED_AT_ONCE]
-        marked[part] = sure_beside(plan, poses[part])
-    none = np.flatnonzero(edge & ~marked)
-    for first in range(0, len(none), LOOKED_AT_ONCE):
-        part = none[first : first + LOOKED_AT_ONCE]
-        marked[part] = overlooked(plan, poses[part])
+    doubted = near & ((rows.flags & _DOUBTFUL) == _UNCERTAIN)
+    for ask, which in ((sure_beside, doubted), (overlooked, edge)):
+        index = np.flatnonzero(which & ~marked)
+        for first in range(0, len(index), LOOKED_AT_ONCE):
+            part = index[first : first + LOOKED_AT_ONCE]
+            marked[part] = ask(plan, poses[part])
     index = np.flatnonzero(marked)
     if plan.direct:
         read = plan.solver.read_into(poses, index, rows)

@@ -8,10 +8,7 @@ ARM_STRETCHED = 1e-7
 ARM_ANGLE_MOVES = 1e-6
 #: Directions in which the pose moves by less than this part of the most carry no Newton step.
 NEWTON_CUTOFF = 1e-12
-#: Part (squared) of each row of the Jacobian across the others above which a step may be solved for without singular
-#: values: what the squares lose then is a millionth of what the next step mends.
-NEWTON_REGULAR = 1e-6
-#: The same where a joint is held as well.
+#: The same where a joint is held.
 NEWTON_HELD_RANK = 1e-9
 #: Least damping of a careful descent,
 NEWTON_DAMPING = 1e-12

@@ -193,8 +193,6 @@ NEAR_INSIDE = 3e-2
 ALONG_FIRST_AXIS = 1e-14
 #: Poses farther away than so many of the arm's lengths are solved with their distance as its length.
 FAR_OUT = 1e3
-#: A pose is out of reach for certain where it is this part farther away than the links laid end to end.
-BEYOND_REACH = 1e-9
 #: A point this near to the polyline of a curve may lie on the curve, and is slid onto it to see.
 NEAR_POLYLINE = 2e-2
 #: How near to a curve inside limits a posture must come to lie on it (rad; per length).

@@ -10,7 +10,7 @@ import numpy as np
 from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import newton_quick
+from pieper.kinematics.newton import newton_and_miss
 from pieper.kinematics.pose import inverse, rotation_about, rotation_x
 from pieper.motion.path import shortest_turn
 from pieper.motion.route.freedom import Freedom
@@ -212,7 +212,7 @@ class Setting:
 
     def on(self, x: Array, T: Array) -> tuple[Array, Bools]:
         """Return x (k, m) moved onto poses T (k, 4, 4) the shortest way, and whether that was reached."""
-        moved, left = newton_quick(self.chain, x, T, steps=8)
+        moved, left = newton_and_miss(self.chain, x, T, steps=8)
         return moved, left < CLOSES
 
     @cached_property

@@ -20,13 +20,9 @@ from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.merged_roots import few_apart
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import (
-    ALONG_FIRST_AXIS,
     APPROACH_DAMPING,
-    CAREFUL_ASIDE,
     CLEARLY_REGULAR,
     HOLDS_EXACTLY,
-    NEARLY_ZERO,
-    PLAIN_MISS,
     PRECISE_RANK,
     SAME_AFTER_CUT,
     SAME_ROW,
@@ -351,46 +347,3 @@ def counted_by_special(plan: Plan, T: Array, rows: Array) -> bool:
         return False
     gap = plan.chain.joints.apart(theirs[:, None], rows[None])
     return bool(np.all(gap.min(0) < SAME_VOUCHED) and np.all(gap.min(1) < SAME_VOUCHED))
-
-
-def overlooked(plan: Plan, poses: Array) -> Bools:
-    """Return which poses (N, 4, 4) without solutions have neighbours with some (N,).
-
-    They may be singular, or lie at the edge of reach. Of an arm that is filled up nearly every pose has some, with
-    virtual joints far from zero: those count that have them nearly there, or where the solver marks what it gives, of
-    the poses themselves too, and however it is filled up.
-    """
-    aside = side_steps(plan.chain, poses, (CAREFUL_ASIDE,))
-    found = _on_first_axis(plan, poses)
-    if not plan.refilled:
-        valid = plan.solver.many(np.ascontiguousarray(aside.reshape(-1, 4, 4)), 1)[1]
-        return found | np.any(valid.reshape(len(poses), -1), axis=1)
-    every = np.ascontiguousarray(np.concatenate([poses[:, None], aside], 1).reshape(-1, 4, 4))
-    for solver, real in ((plan.solver, plan.reduction.real), *plan.refilled):
-        q, valid, _, flags = solver.many(every, 1)
-        virtual = np.setdiff1d(np.arange(6), real)
-        off = np.abs(q[..., virtual] / solver.chain.joints.unit[virtual]).max(-1)
-        marked = (flags & (Flag.DEGENERATE | Flag.UNCERTAIN)) > 0
-        leads = valid & ((off < NEARLY_ZERO) | marked[:, None])
-        # so far from where two merge a posture that misses the pose by so little has no solution near it but its own,
-        # and that has been looked for
-        plain = leads & ~marked[:, None]
-        s = singular_values(plan.exact.full, q[plain][:, real])
-        leads[plain] = off[plain] + CAREFUL_ASIDE > PLAIN_MISS * (s[:, -1] / s[:, 0]) ** 2
-        found |= np.any(leads.reshape(len(poses), -1), axis=1)
-    return found
-
-
-def _on_first_axis(plan: Plan, poses: Array) -> Bools:
-    """Return which positions of poses (N, 4, 4) lie on the axis of a first joint that turns (N,).
-
-    That joint may stand anywhere there. Where the arm reaches one height on the axis alone it reaches a cone's outside
-    around it, which may be so flat that no pose beside has a solution.
-    """
-    chain = plan.exact.full
-    if plan.task != "position" or chain.prismatic[0]:
-        return np.zeros(len(poses), bool)
-    point, axis = chain.points[0], chain.axes[0]
-    away = poses[:, :3, 3] - point
-    across = np.linalg.norm(np.cross(away, axis), axis=1)
-    return across <= ALONG_FIRST_AXIS * (np.linalg.norm(away, axis=1) + np.linalg.norm(point))

@@ -44,9 +44,9 @@ def crowded(plan: Plan, T: Array, q: Array) -> bool:
     """Whether rows (m, 6) of an arm that is solved by elimination stand at more than one fold at once, and may be few.
 
     Which of them a solution of a pose beside follows from is not told then: they lie nearer to each other than to it.
-    Where no pose close beside has more solutions than there are rows, these are believed.
+    Where no pose close beside has more solutions than there are rows, these are believed; and where no pose can.
     """
-    if plan.spec.closed_form or len(q) <= ROWS_OF_A_FOLD:
+    if plan.spec.closed_form or not ROWS_OF_A_FOLD < len(q) < plan.max_solutions:
         return False
     s = singular_values(plan.chain, q)
     weak = s[:, -1] / s[:, 0]

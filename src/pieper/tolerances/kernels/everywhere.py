@@ -27,3 +27,6 @@ TINY = 1e-300
 
 #: Joint values this close (rad, m) are rounding and do not order rows.
 KERNEL_ROW_ORDER = 1e-6
+
+#: A pose is out of reach for certain where it is this part farther away than the links laid end to end.
+BEYOND_REACH = 1e-9

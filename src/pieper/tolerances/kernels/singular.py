@@ -39,6 +39,8 @@ NEWTON_STALLS = 1e-13
 #: A shorter step (rad; lengths) moves rounding alone, so that nothing more is to come: what is still missed then, the
 #: arm cannot take from there.
 NEWTON_STILL = 1e-14
+#: Where no direction is weaker than this part of the strongest a step takes no singular values.
+NEWTON_REGULAR = 1e-6
 #: Columns whose cosine is no more than this are at right angles (and two angles, rad, are one): rounding of their sums.
 ORTHOGONAL = 1e-15
 #: A row this near a self-motion is a point of it (rad; per length).
