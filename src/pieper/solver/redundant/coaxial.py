@@ -21,8 +21,9 @@ from pieper.kinematics.newton import missed, newton, scaled_jacobian
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.plan.holding import without
 from pieper.solver.plan.plan import Plan
+from pieper.solver.singular.examine import size_of
 from pieper.solver.singular.self_motion import SelfMotion
-from pieper.tolerances import CLOSES, GEOMETRY_EXACT, ROUNDING, SAME_VOUCHED
+from pieper.tolerances import CLOSES, COAXIAL_HOLDS, GEOMETRY_EXACT, ROUNDING, SAME_VOUCHED
 
 #: Newton steps that take a row of the shorter arm to rounding, the line's own joints standing still.
 STEPS = 6
@@ -106,7 +107,7 @@ def lines(plan: Plan, T: Array) -> list[tuple[Array, Array]]:
         for row in _rows(shorter, T):
             q = np.zeros(full.n)
             q[kept], q[at.between] = newton(rest, row, T, steps=STEPS), at.value
-            if missed(full, q, T) < CLOSES:
+            if missed(full, q, T) < COAXIAL_HOLDS * size_of(full, T):
                 out.append((q, way))
     return out
 
