@@ -113,7 +113,7 @@ def lines(plan: Plan, T: Array) -> list[tuple[Array, Array]]:
 
 
 def _shorter(plan: Plan) -> tuple[tuple[Meeting, Plan], ...]:
-    """Return where the arm's joints come into one line, and the arms that are left with the joint between held there."""
+    """Return where joints come into one line, and the arms that are left with the joint between held there."""
     if plan not in _SHORTER:
         found: list[tuple[Meeting, Plan]] = []
         for at in meetings(plan.exact.full):
