@@ -64,6 +64,37 @@ struct Follower : Posture {
     else std::copy(travel, travel + n, out);
   }
 
+  // On which side of a crossing the curve is that goes along `along` where the arm stands: of seven joints the sign of the
+  // determinant of the Jacobian with it beneath, which one curve keeps and what goes straight on at a crossing changes. Zero
+  // where another direction is free.
+  int side(const double* along) {
+    if (n != 7) return 0;
+    double A[7][7];
+    for (int k = 0; k < 7; ++k) {
+      double moved[6];
+      column(k, moved);
+      for (int i = 0; i < 6; ++i) A[k][i] = moved[i];
+      A[k][6] = along[k];
+    }
+    int sign = 1;
+    double most = 0, least = INFINITY;
+    for (int i = 0; i < 7; ++i) {
+      int pivot = i;
+      for (int j = i + 1; j < 7; ++j)
+        if (std::fabs(A[j][i]) > std::fabs(A[pivot][i])) pivot = j;
+      const double size = std::fabs(A[pivot][i]);
+      most = std::fmax(most, size), least = std::fmin(least, size);
+      if (!(least > kFollowFree * most)) return 0;
+      if (pivot != i) std::swap(A[pivot], A[i]), sign = -sign;
+      if (A[i][i] < 0) sign = -sign;
+      for (int j = i + 1; j < 7; ++j) {
+        const double part = A[j][i] / A[i][i];
+        for (int k = i; k < 7; ++k) A[j][k] -= part * A[i][k];
+      }
+    }
+    return sign;
+  }
+
   double way(double to, double from, int k) const {
     const double gap = to - from;
     return slides[k] ? gap : gap - kTwoPi * std::floor((gap + kPi) / kTwoPi);
@@ -83,6 +114,8 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
     for (int k = 0; k < n; ++k) points.push_back(at[k] * chain.unit(k));
   };
   double step = how.step / 2, gone = 0;
+  arm.stand(first.data());
+  int side = arm.side(direction);
   for (int count = 1; count < how.most_steps;) {
     for (int k = 0; k < n; ++k) ahead[k] = here[k] + step * along[k];
     bool good = arm.onto(ahead.data(), along.data());
@@ -94,8 +127,15 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
       if (step < kFollowShortest) return false;
       continue;
     }
-    gone += went;
     arm.tangent(ahead.data(), along.data(), next.data());
+    const int there = arm.side(next.data());
+    if (there * side < 0 && step > kFollowCrossing) {
+      // another curve passes, or crosses: only what does so within next to nothing is gone straight across
+      step /= 2;
+      continue;
+    }
+    if (there) side = there;
+    gone += went;
     keep(ahead), ++count;
     for (int k = 0; k < n; ++k) move[k] = arm.way(ahead[k], first[k], k);
     const double size = size_of(move.data(), n);

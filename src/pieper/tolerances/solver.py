@@ -151,6 +151,8 @@ OPEN_DIRECTION = 1e-7
 HOLDS = 1e-11
 #: A solution that the kernel did not give must hold it this well, so that poses just out of reach get none.
 HOLDS_EXACTLY = 2e-15
+#: A posture with two axes in one line must hold it this well: a stretched elbow misses by the square of its angle.
+COAXIAL_HOLDS = 1e-13
 #: An end of a look lies on a traced curve when it is this near (rad; per length): chords cut corners by as much.
 ENDS_ON_CURVE = 2e-3
 #: Singular starts farther apart (rad; per length) are looked at each.

@@ -70,8 +70,19 @@ def locked_at(plan: Plan, values: tuple[float, ...]) -> Plan:
 
 
 def _locked(plan: Plan, values: tuple[float, ...]) -> Plan:
-    kept: list[int] = plan.reduction.kept.tolist()
-    chain = plan.exact.with_locked(np.array(values))
+    return without(plan, plan.reduction.locked, values)
+
+
+def without(plan: Plan, joints: tuple[int, ...], values: tuple[float, ...]) -> Plan:
+    """Return a plan for the arm with joints (0-based, virtual ones included) held at values: for what is left, a pose.
+
+    Raises:
+        PlanError: No family takes what is left.
+    """
+    kept = [joint for joint in range(plan.exact.full.n) if joint not in joints]
+    chain = plan.exact.full
+    for joint, value in sorted(zip(joints, values, strict=True), reverse=True):
+        chain = chain.locked(joint, float(value))
     reduction = six_joints.reduce(chain, "pose")[0]
     six, _ = without_far_ends(reduction.six(np.zeros(len(reduction.locked))))
     family, spec = choose(six, look(six, GEOMETRY_EXACT))

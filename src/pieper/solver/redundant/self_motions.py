@@ -10,6 +10,7 @@ from pieper.kinematics.newton import missed, newton
 from pieper.solver.arm_rows import full_rows
 from pieper.solver.kernel_rows import Solved
 from pieper.solver.plan.plan import Plan
+from pieper.solver.redundant import coaxial
 from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.bounded_motion import bounded_motion
 from pieper.solver.redundant.stops import stops
@@ -17,7 +18,7 @@ from pieper.solver.redundant.surface import as_one
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
-from pieper.tolerances import CLOSES, SEED_DOUBTFUL, SEED_ON_CURVE, SEED_ON_POLYLINE
+from pieper.tolerances import CLOSES, PRECISE_RANK, SEED_DOUBTFUL, SEED_ON_CURVE, SEED_ON_POLYLINE
 
 #: Starts from which the pose is approached freely, besides the sweep.
 STARTS = 96
@@ -32,6 +33,10 @@ ENDLESS_FAR = 20.0
 MOST_LINES, LINE_STEPS = 8, 60
 #: A self-motion that takes less than this part of the redundant coordinate's range is small.
 SMALL = 0.05
+#: How much less a line on a surface goes along each further way: no whole numbers, so that all joints turn.
+SURFACE_WAY = 0.618
+#: Newton steps at merged roots, where each only halves what is left.
+SLOW_STEPS = 40
 #: Seeds whose distances to a curve are taken at once: it bounds the memory.
 CHUNK = 256
 
@@ -57,6 +62,15 @@ def self_motions_of(plan: Plan, asked: Array, values: Array) -> tuple[SelfMotion
     ends = at.q[at.inside]
     seeds = np.concatenate([ends, points])
     motions: list[SelfMotion] = []
+    for point, way in coaxial.lines(plan, T):
+        if not any(coaxial.joined(other, point[None])[0] for other in motions):
+            line = trace(full, point, T, plan.full_limits, plan.full_names, way, shown=plan.n)
+            motions.append(_across(line, seeds) if line.dimension > 1 else line)
+    if motions:
+        # where solutions merge on a line, others are met beside it, as far as the root of what they miss the pose by
+        seeds = newton(full, seeds, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
+        for motion in motions:
+            seeds = seeds[~(on_curve(motion, seeds) | coaxial.joined(motion, seeds))]
     # a surface (of several spare joints, or of a singular pose) has no list of curves: one line through each solution
     # shows the way, and `dimension` says the rest
     endless = bool((full.prismatic & ~np.isfinite(plan.full_limits).all(1)).any())
@@ -76,10 +90,22 @@ def self_motions_of(plan: Plan, asked: Array, values: Array) -> tuple[SelfMotion
             for other in motions[:-1]:
                 more = more[~on_curve(other, more)]
             seeds = np.concatenate([seeds, more])
-        seeds = seeds[~on_curve(motion, seeds)]
+        seeds = seeds[~(on_curve(motion, seeds) | coaxial.joined(motion, seeds))]
     bounded = tuple(bounded_motion(motion, ends) for motion in motions)
     # all of it is a surface where several joints are to spare, and at some poses of an arm with one
     return as_one(bounded) if spare > 1 or all(motion.dimension > 1 for motion in bounded) else bounded
+
+
+def _across(line: SelfMotion, seeds: Array) -> SelfMotion:
+    """Return a line on the same surface along which all joints turn that do there, inside the limits if a seed is."""
+    chain = line.chain
+    points, there = coaxial.within_plane(line, seeds)
+    moved, inside = chain.joints.inside_limits(points[there], line.limits)
+    start = moved[inside][0] if inside.any() else line.samples[0]
+    plane = coaxial.plane(chain, start)
+    way = SURFACE_WAY ** np.arange(len(plane)) @ plane
+    way /= np.linalg.norm(way)
+    return trace(chain, start, line.T, line.limits, line.names, way, shown=line.shown, most_steps=LINE_STEPS)
 
 
 def _nearest_first(chain: Chain, seeds: Array, limits: Array) -> Array:

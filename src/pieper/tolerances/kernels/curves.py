@@ -12,3 +12,5 @@ FOLLOW_HOME = 1e-9
 FOLLOW_ALIKE = 1e-7
 #: What is left of the way along a curve, below which the way itself is kept.
 FOLLOW_LOST = 1e-6
+#: Steps (rad; lengths) so short go straight on where another curve passes or crosses; longer ones are halved there.
+FOLLOW_CROSSING = 4e-5
