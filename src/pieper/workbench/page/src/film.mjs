@@ -1,9 +1,11 @@
 // A motion as a film: the pictures of the canvas, recorded by the browser as WebM; or drawn by the library as GIF or MP4.
 import { askArm } from './library.mjs';
-import { cameraState } from './scene/view.mjs';
+import { cameraState, invalidate } from './scene/view.mjs';
 
 /** Samples that are sent, at most. */
 const MOST = 1500;
+/** Bytes of a film without pictures, at most. */
+const HEADER = 400;
 const TYPES = { gif: 'image/gif', webp: 'image/webp', mp4: 'video/mp4' };
 /** Have the library draw a motion; {name, blob}, or null where it was stopped. */
 export async function drawn(motion, kind, speed, progress) {
@@ -35,11 +37,24 @@ export async function film(canvas, run) {
   const ended = new Promise((resolve) => {
     recorder.onstop = resolve;
   });
-  recorder.start();
+  const rest = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+  const size = () => pieces.reduce((sum, piece) => sum + piece.size, 0);
+  // a busy machine takes a while until it records: what was played before would not be there
+  const recorded = async (least) => {
+    for (let k = 0; k < 100 && size() <= least; k++) {
+      invalidate();
+      await rest(100);
+    }
+  };
+  recorder.start(100);
+  await recorded(HEADER);
+  const still = size();
   await run();
   // the last picture at rest belongs to it
-  await new Promise((resolve) => setTimeout(resolve, 400));
+  await rest(400);
+  await recorded(still);
   recorder.stop();
   await ended;
+  if (size() <= HEADER) throw new Error('The browser recorded no pictures. GIF and MP4 are drawn without it.');
   return new Blob(pieces, { type: 'video/webm' });
 }
