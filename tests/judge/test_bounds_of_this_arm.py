@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import pieper
-from oracle.arms.printed import elbow
+from oracle.arms.claim_headers import elbow
 from pieper.judge.verdict import HOLDS, PARTLY
 
 SYMBOLS = elbow(0.4, 0.3, 0.25)

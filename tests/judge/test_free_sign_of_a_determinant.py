@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pieper
-from oracle.arms.printed import elbow
+from oracle.arms.claim_headers import elbow
 from pieper.judge.verdict import HOLDS, WRONG
 
 LENGTHS = {"d1": 0.4, "a2": 0.3, "a3": 0.25}

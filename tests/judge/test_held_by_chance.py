@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import pieper
-from oracle.arms.printed import elbow, puma
+from oracle.arms.claim_headers import elbow, puma
 
 ELBOW = elbow(0.3, 0.4, 0.4)
 PUMA = puma(0.4318, 0.1245, 0.0203, 0.4318)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import pieper
-from oracle.arms.printed import elbow, puma
+from oracle.arms.claim_headers import elbow, puma
 from pieper.judge.verdict import HOLDS
 
 LINKS = elbow(0.4, 0.3, 0.25)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pieper
-from oracle.arms import printed
+from oracle.arms import claim_headers
 from pieper.judge.digits import box_least_squares
 
 LENGTHS = 0.4318, 0.1244, 0.0203
@@ -22,7 +22,7 @@ def puma(unit: str = "m") -> str:
     """Craig's Puma in metres or millimetres."""
     size = 1000 if unit == "mm" else 1
     length, offset, elbow = (size * x for x in LENGTHS)
-    return printed.puma(length, offset, elbow, length, unit)
+    return claim_headers.puma(length, offset, elbow, length, unit)
 
 
 def solutions(arm: str, rows: object, more: str):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pieper
-from oracle.arms.printed import elbow
+from oracle.arms.claim_headers import elbow
 from pieper.judge.keys import UNITS
 
 METRES = {"d1": 0.4, "a2": 0.3, "a3": 0.25}
