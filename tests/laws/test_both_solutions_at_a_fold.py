@@ -88,3 +88,28 @@ def test_near_a_fold_both_are_told_however_near(name, side):
     apart = np.where(many.valid, np.abs(around(many.q - q[:, None])).max(-1), np.inf).min(1)
     assert np.all(apart < 1e-6 + 1e-14 / smallest(arm, q))
     assert np.all(many.status == 0)
+
+
+@pytest.mark.parametrize(
+    ("name", "q"),
+    [
+        (
+            "unimation-puma-560",
+            (-1.5274709621959912, -3.723018826141399, -1.5238185747841728)
+            + (-0.9271897357743779, 1.5359309575821696, 3.9028502715503994),
+        ),
+        (
+            "wrist at the end, RRR (quartic)",
+            (-2.551163257949755, 4.087791808306462, -4.3015151504615226)
+            + (-1.3454228358975187, -3.6059163166856685, 0.1135181925778918),
+        ),
+    ],
+)
+def test_where_rounding_just_tells_two_of_some_folds_apart_all_are_counted_once(name, q):
+    """One of two twins told as a double root and the other as a root of its own came to an odd number: UNCERTAIN."""
+    arm, q = ARMS[name](), np.array(q)
+    T = arm.fk(q)
+    one = arm.ik(T)
+    assert one.status.name == "SOLVED" and arm.ik_many(T[None]).status[0] == one.status
+    assert one.multiplicity.sum() == 8
+    assert np.abs(around(one.all_q - q)).max(1).min() < 1e-6

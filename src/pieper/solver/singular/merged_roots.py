@@ -61,12 +61,12 @@ def distinct_roots(chain: Chain, placed: list[tuple[Array, int]], T: Array) -> l
     Two rows are one when everything between them holds the pose to rounding as well: the blur of a double root is
     about 1e-8 wide, that of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such
     rows are kept apart even where rounding hides what is between them. Where several directions are free a root has
-    no two sides.
+    no two sides, and one in which branches merge stands between its own: what is missed on the way to them is rounding.
     """
     if not placed:
         return []
     q, branches = np.array([root for root, _ in placed]), np.array([count for _, count in placed])
-    order = np.argsort(missed(chain, q, T), kind="stable")
+    order = np.lexsort((missed(chain, q, T), branches == 1))
     q, branches = q[order], branches[order]
     unit = chain.joints.unit
     side = np.sign(determinant(chain, q)) if chain.n == 6 else np.zeros(len(q))
@@ -79,13 +79,15 @@ def distinct_roots(chain: Chain, placed: list[tuple[Array, int]], T: Array) -> l
             apart = np.max(np.abs(gap / unit))
             if apart < MERGED_SAME:
                 break
-            sides = side[k] != side[index] and max(branches[k], branches[index]) < SEVERAL_FREE
+            own = branches[index] == 1 < branches[k]
+            sides = side[k] != side[index] and not own and max(branches[k], branches[index]) < SEVERAL_FREE
             if apart < (MERGED_TWINS if sides else MERGED_BLUR):
                 # a chord leaves a bent curve: what lies between is moved onto it
                 chord = other + np.array([[0.25], [0.5], [0.75]]) * gap
                 between = near_curve.onto(chain, chord, T, 3)
                 strayed = np.abs((between.q - chord) / unit).max()
-                told = np.abs(between.miss).max() > MERGED_ALONG or between.rest.max() > MERGED_ROUNDING * size
+                along = MERGED_ROUNDING * size if own else MERGED_ALONG
+                told = np.abs(between.miss).max() > along or between.rest.max() > MERGED_ROUNDING * size
                 if strayed < apart / 4 and not told:
                     break
         else:
