@@ -179,8 +179,7 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
     if worst > ROTATION_EXACT:
         # the iteration for the polar factor (Higham, 1986), as the kernels do it: each step squares the deviation
         for _ in range(2):
-            R = R @ (1.5 * np.eye(3) - 0.5 * (np.swapaxes(R, -1, -2) @ R))
-        pose[..., :3, :3] = R
+            pose[..., :3, :3] = R @ (1.5 * np.eye(3) - 0.5 * (np.swapaxes(R, -1, -2) @ R))
     return pose
 
 
