@@ -362,7 +362,7 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
         return far[0]
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))
-    motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults)
+    motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults, ik)
     if asked.free and not np.count_nonzero(inside):
         rows, kind = choose_elsewhere(plan, T[None], rows, 1)
         q, slots, inside, there = rows.of(0)

@@ -8,6 +8,7 @@ zero, and the arm that is left, shorter by two, is solved for the pose.
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
@@ -21,6 +22,7 @@ from pieper.kinematics.newton import missed, newton, scaled_jacobian
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.plan.holding import without
 from pieper.solver.plan.plan import Plan
+from pieper.solver.results import Solutions
 from pieper.solver.singular.examine import size_of
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import CLOSES, COAXIAL_HOLDS, GEOMETRY_EXACT, ROUNDING, SAME_VOUCHED
@@ -87,12 +89,13 @@ def _across(v: Array, axis: Array) -> Array:
     return v - (v @ axis) * axis
 
 
-def lines(plan: Plan, T: Array) -> list[tuple[Array, Array]]:
+def lines(plan: Plan, T: Array, one: Callable[[Plan, Array], Solutions]) -> list[tuple[Array, Array]]:
     """Return a point (n,) of each such line that a pose (4, 4) holds, and the line's direction (n,).
 
     Args:
         plan: A plan with redundancy.
         T: The pose.
+        one: Solves one pose of an arm.
     """
     full = plan.exact.full
     out: list[tuple[Array, Array]] = []
@@ -104,7 +107,7 @@ def lines(plan: Plan, T: Array) -> list[tuple[Array, Array]]:
         way[[at.between - 1, at.between + 1]] = np.sqrt(0.5), -at.sense * np.sqrt(0.5)
         rest = shorter.exact.full
         kept = [j for j in range(full.n) if j not in joints]
-        for row in _rows(shorter, T):
+        for row in _points(one(shorter, T)):
             q = np.zeros(full.n)
             q[kept], q[at.between] = newton(rest, row, T, steps=STEPS), at.value
             if missed(full, q, T) < COAXIAL_HOLDS * size_of(full, T):
@@ -125,13 +128,10 @@ def _shorter(plan: Plan) -> tuple[tuple[Meeting, Plan], ...]:
     return _SHORTER[plan]
 
 
-def _rows(shorter: Plan, T: Array) -> Array:
-    """Return solutions (m, k) of the shorter arm, a point of each of its own self-motions among them."""
-    from pieper.solver.verbs import ik
-
-    found = ik(shorter, T)
+def _points(found: Solutions) -> Array:
+    """Return the solutions (m, k) of a pose, a point of each of its self-motions among them."""
     points = [motion.full_representative[None] for motion in found.self_motions]
-    return np.concatenate([found.all_q, *points]).reshape(-1, shorter.n)
+    return np.concatenate([found.all_q, *points])
 
 
 def joined(motion: SelfMotion, seeds: Array) -> Bools:

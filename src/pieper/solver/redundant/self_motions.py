@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
@@ -16,6 +18,7 @@ from pieper.solver.redundant.bounded_motion import bounded_motion
 from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.surface import as_one
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
+from pieper.solver.results import Solutions
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
 from pieper.tolerances import CLOSES, PRECISE_RANK, SEED_DOUBTFUL, SEED_ON_CURVE, SEED_ON_POLYLINE
@@ -41,7 +44,9 @@ SLOW_STEPS = 40
 CHUNK = 256
 
 
-def self_motions_of(plan: Plan, asked: Array, values: Array) -> tuple[SelfMotion, ...]:
+def self_motions_of(
+    plan: Plan, asked: Array, values: Array, one: Callable[[Plan, Array], Solutions]
+) -> tuple[SelfMotion, ...]:
     """Trace every self-motion of a pose of a redundant arm; of several joints to spare all that holds the pose is one.
 
     A sweep over the first redundant coordinate (the others stay) meets every curve that reaches over more than a
@@ -53,6 +58,7 @@ def self_motions_of(plan: Plan, asked: Array, values: Array) -> tuple[SelfMotion
         plan: A plan with redundancy.
         asked: (4, 4) the pose.
         values: (k,) the redundant coordinates asked for.
+        one: Solves one pose of an arm that is left where joints are held.
     """
     full = plan.exact.full
     spare = len(plan.redundancy)
@@ -62,7 +68,7 @@ def self_motions_of(plan: Plan, asked: Array, values: Array) -> tuple[SelfMotion
     ends = at.q[at.inside]
     seeds = np.concatenate([ends, points])
     motions: list[SelfMotion] = []
-    for point, way in coaxial.lines(plan, T):
+    for point, way in coaxial.lines(plan, T, one):
         if not any(coaxial.joined(other, point[None])[0] for other in motions):
             line = trace(full, point, T, plan.full_limits, plan.full_names, way, shown=plan.n)
             motions.append(_across(line, seeds) if line.dimension > 1 else line)

@@ -49,6 +49,8 @@ LED_BACK = 2
 ALIKE = 3
 #: Steps onto the position alone, from where a turn counted next to nothing.
 LAST_STEPS = 8
+#: Most steps until the best of all rests, for each weight of a turn.
+REST_STEPS = 200
 #: Weights of a turn's chord that are tried until it counts as its angle does.
 IN_RADIANS = 40
 #: The postures looked at of each plan and their poses, as long as the plan is held.
@@ -97,15 +99,24 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
         value, angle = hill.distances(q)
     else:
         q, value, angle = hill.onto_place(hill.found(given, turning))
+        if turning and angle.min() > ALIKE_TURN:
+            # along what the position leaves free a turn may fall so slowly that few steps end before its least
+            best = _nearest_of(value, angle)
+            q, value, angle = hill.onto_place(np.vstack([q, hill.at_rest(q[best : best + 1])]))
     if weights is None and turning and value.min() < ALIKE_NEAR and angle.min() < ALIKE_TURN:
         # where two postures are about to be one, what rounding lets the position be leaves the turn open by its root
         near = q[(value < ALIKE_NEAR) & (angle < ALIKE_TURN)]
         q = np.vstack([q, hill.onto_pose(near)])
         value, angle = hill.distances(q)
-    alike = np.flatnonzero(value <= value.min() + ALIKE_NEAR)
-    own = q[alike[np.argmin(angle[alike])] if turning else np.argmin(value), : plan.n]
+    own = q[_nearest_of(value, angle) if turning else np.argmin(value), : plan.n]
     miss = plan.residual(own, T)
     return Closest(own, float(miss[0]), float(miss[1]), fk(plan.chain, own))
+
+
+def _nearest_of(value: Array, angle: Array) -> int:
+    """Return which posture is turned least of those that come nearest, to rounding."""
+    alike = np.flatnonzero(value <= value.min() + ALIKE_NEAR)
+    return int(alike[np.argmin(angle[alike])])
 
 
 def _weighed(plan: Plan, weights: ArrayLike) -> float:
@@ -198,6 +209,12 @@ class _Hill:
             near=(REACHED_PLACE, ALIKE_PLACE, AGREED, SAME_DESCENT),
             crawl=(MORE_STEPS, *CLOSEST_CRAWL, REACHED_PLACE),
         )[:, : self.chain.n]
+
+    def at_rest(self, q: Array) -> Array:
+        """Return postures (k, n) from which steps that weigh orientation less and less lead no further."""
+        for weight, _, _ in CLOSEST_BACK:
+            q = nearer(self.chain, q, self.T, self.limits, np.full(len(q), weight), REST_STEPS)[0]
+        return q
 
     def distances(self, q: Array) -> tuple[Array, Array]:
         """Return how far postures (k, n) are from the pose (k,), per length, and how far turned (k,), rad."""
