@@ -90,7 +90,7 @@ def _print_dh(arm: pieper.Arm, units: Units) -> None:
     heads = [f"a, {length}", f"alpha, {angle}", f"d, {length}", f"theta, {angle}", "sense", "zero", "lower", "upper"]
     title = f"{arm.name}: {plural(arm.n, 'joint')} {arm.joint_types}, {kind} DH"
     print_table(title, [Column("joint", True), *(Column(head) for head in heads)], rows)
-    near = d.with_short_rows()
+    near = arm.symbolic.table
     if near is not d:
         _print_short(near, units)
         for what, T, own in (("base", near.base, d.base), ("tool", near.tool, d.tool)):
@@ -104,8 +104,7 @@ def _print_short(d: Any, units: Units) -> None:
     fine = 3 if angle == "deg" else 6
     rows = []
     for i, row in enumerate(d.rows):
-        f = getattr(row, "f", None)
-        across = "" if f is None else number(f / units.metres, digits)
+        across = number(row.across / units.metres, digits) if row.across else ""
         cells = [row.a / units.metres, row.alpha / units.radians, row.d / units.metres, row.theta / units.radians]
         shown = [number(value, places) for value, places in zip(cells, (digits, fine, digits, fine), strict=True)]
         k = 3 if d.axis_types[i] == "R" else 2

@@ -133,11 +133,14 @@ def _coupled(plan: Plan, own: Between, coupling: Array) -> Between:
     # every row has its axes in (-pi, pi]: what whole turns can matter is found from both ends
     ends = turns.joints(np.where(chain.prismatic, 0.0, np.array([[np.pi], [-np.pi]])))
     tied, parts = np.zeros(plan.n, np.bool_), list[Array]()
-    for block, moves in zip(turns.blocks, turns.between(plan.limits, ends), strict=True):
+    endless = [not np.isfinite(plan.limits[block]).any() for block in turns.blocks]
+    # what has no limits is inside where it is: moves of other joints are not tried beside its own
+    limits = plan.limits.copy()
+    for block in itertools.compress(turns.blocks, endless):
+        limits[block] = 0.0
+    for block, moves, free in zip(turns.blocks, turns.between(limits, ends), endless, strict=True):
         if len(block) > 1 or abs(coupling[block[0], block[0]]) != 1:
             tied[block] = True
-            # what has no limits is inside where it is: moves of other joints are not tried beside its own
-            endless = not np.isfinite(plan.limits[block]).any()
-            parts.append(np.zeros((1, plan.n)) if endless else moves)
+            parts.append(np.zeros((1, plan.n)) if free else moves)
     moves = np.array([np.sum(some, axis=0) for some in itertools.product(*parts)]).reshape(-1, plan.n)
     return replace(own, gears=coupling, tied=tied, moves=moves, weight=chain.joints.unit**-2.0)

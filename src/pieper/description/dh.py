@@ -44,6 +44,11 @@ class DH:
         for name in ("a", "alpha", "d", "theta"):
             object.__setattr__(self, name, arguments.number(getattr(self, name), f"DH {name}", _COLUMNS[name]))
 
+    @property
+    def across(self) -> float:
+        """What the link leads along y, m: nothing but in a slid row."""
+        return 0.0
+
 
 @dataclass(frozen=True, slots=True)
 class Slid(DH):
@@ -57,6 +62,11 @@ class Slid(DH):
     """
 
     f: float = 0.0
+
+    @property
+    def across(self) -> float:
+        """What the link leads along y, m."""
+        return self.f
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,12 +224,6 @@ class Description:
         if self.linked:
             names = ", ".join(dict.fromkeys(axis.name for axis in self.linked))
             raise PlanError(f"{self.name} has a linkage that moves {names}; {what}. {cure}", linked=self.linked)
-
-    def with_short_rows(self) -> Description:
-        """Return the same arm with slid rows (`Slid`) where its table leads far outside; itself where it does not."""
-        from pieper.description.slid import with_short_rows  # folds the table into a chain
-
-        return with_short_rows(self)
 
     def by_axes(self) -> Description:
         """Return the arm whose joints are the axes, each moving by itself, without limits; itself where they are."""

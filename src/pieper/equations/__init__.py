@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from pieper.description.slid import with_short_rows
 
 if TYPE_CHECKING:
+    from pieper.description.dh import Description
     from pieper.equations.arm import Arm
     from pieper.equations.forward import ForwardEquations
     from pieper.equations.inverse import InverseEquations
@@ -34,6 +35,11 @@ class Symbolic:
         self._jacobian: dict[tuple[str, str], JacobianEquations] = {}
         self._singularities: dict[str, SingularityEquations] = {}
         self._inverse: dict[tuple[str | None, str], InverseEquations] = {}
+
+    @property
+    def table(self) -> Description:
+        """The DH table that equations are written by: the arm's own, or one that does not lead far outside the arm."""
+        return self._arm.description
 
     def fk(self, *, lengths: str = "symbols", angles: str = "theta", letters: str = "noap") -> ForwardEquations:
         """Return forward kinematics as equations.

@@ -137,7 +137,7 @@ class WholeTurns:
         return out
 
     def _nearer(self, block: Indices, gap: Array, weight: Array) -> Array:
-        """Return the moves (m, n) of a block that can bring joint vectors nearer that are gap (k, n) away, half turns at most.
+        """Return the moves (m, n) of a block that can bring nearer what is gap (k, n) away, axes by half turns.
 
         What is nearer than r differs by no more than |C_i| r at axis i (C of the weighed joints), and no axis is more
         than half a turn away.
