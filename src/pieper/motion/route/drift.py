@@ -74,7 +74,7 @@ def _climbed(setting: Setting, x: Array, inside: Bools, reach: int, cyclic: bool
             source = every - shift
             ok: Bools = np.ones(C, np.bool_) if cyclic else (source >= 0) & (source < C)
             source %= C
-            e = q[k] - q[k - 1, source]
+            e: Array = q[k] - q[k - 1, source]
             e -= TURN * np.round(e / TURN) * round_
             short = (np.abs(e) <= longest).all(-1) & inside[k] & ok[:, None]
             e = e * weights
