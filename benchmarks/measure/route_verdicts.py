@@ -168,7 +168,8 @@ def judged(name: str, number: int) -> dict[str, Any]:
 def _flood(arm: Arm, poses: np.ndarray) -> int:
     """Return how far the flood gets; whole turns are told apart where it matters, of many sets with fewer turns."""
     reached = flooded(arm, poses, TURNS, lifted=False)
-    windings = np.prod([int(max(0.0, high - low + 1e-9) / (2 * np.pi)) + 1 for low, high in arm.limits])
+    span = np.where(np.isfinite(arm.limits).all(1), arm.limits[:, 1] - arm.limits[:, 0], 0.0)
+    windings = np.prod((np.maximum(0.0, span + 1e-9) / (2 * np.pi)).astype(int) + 1)
     if reached == len(poses) - 1 and windings > 1:
         reached = flooded(arm, poses, TURNS // (8 if windings > 8 else 1), lifted=True)
     return reached
@@ -179,13 +180,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--seconds", type=float, default=150.0, help="of processor time")
     parser.add_argument("--seams", type=int, default=100, help="of each arm")
+    parser.add_argument("--first", type=int, default=0, help="number of the first seam")
     parser.add_argument("--arm", action="append", choices=ARMS)
     parser.add_argument("--costs", type=int, default=0, help="of each arm's found routes")
     parser.add_argument("--file", type=Path, default=RESULTS / "route_verdicts.json")
     args = parser.parse_args()
     kept: dict[str, Any] = json.loads(args.file.read_text()) if args.file.exists() else {"seams": {}}
     begun = time.process_time()
-    for number in range(args.seams):
+    for number in range(args.first, args.seams):
         for name in args.arm or ARMS:
             seams = kept["seams"].setdefault(name, {})
             if str(number) not in seams:

@@ -23,7 +23,7 @@ def in_units(text: str, units: Units) -> str:
 
     def told(found: re.Match[str]) -> str:
         length = found["unit"] == "mm"
-        said, unit = (units.metres / 1e-3, units.length) if length else (units.radians * 180 / math.pi, units.angle)
+        said, unit = (units.metres * 1000.0, units.length) if length else (units.radians * 180 / math.pi, units.angle)
         if said == 1.0:
             return found[0]
         return f"{_ALONE.sub(lambda number: _shifted(number[0], said), found['of'])} {unit}"

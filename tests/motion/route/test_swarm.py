@@ -1,4 +1,4 @@
-"""Short arms within a cone: ends that are told, a turn rate and a clearance are kept, as a search over all leans says."""
+"""Short arms within a cone: told ends, a turn rate and a clearance are kept, as a search over all leans says."""
 
 import numpy as np
 import pytest

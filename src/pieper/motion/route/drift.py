@@ -56,15 +56,15 @@ def drifting(setting: Setting, grid: Grid, ladder: Rungs) -> Iterator[tuple[floa
 
 def _climbed(setting: Setting, x: Array, inside: Bools, reach: int, cyclic: bool) -> tuple[Array, Indices]:
     """Return the costs (C, B) of ways up to the last rows, and the cells (M, C, B) that they come from."""
-    C, n = x.shape[1], setting.n
+    C, n = int(x.shape[1]), setting.n
     weights = np.sqrt(setting.weights[:n])
     round_ = ~setting.chain.prismatic[:n]
     longest = STEP * setting.chain.joints.unit[:n]
     q = x[..., :n]
     cost = np.where(inside[0], 0.0, np.inf)
     origin = np.zeros(inside.shape, np.int64)
-    every = np.arange(C)
-    shifts = sorted(range(-reach, reach + 1), key=abs)
+    every = np.arange(C, dtype=np.int64)
+    shifts: list[int] = sorted(range(-reach, reach + 1), key=abs)
     for k in range(1, len(x)):
         rate = _rate(q[k], inside[k], weights, round_, cyclic)
         size = np.sqrt(np.einsum("cbj,cbj->cb", rate, rate))
@@ -74,7 +74,7 @@ def _climbed(setting: Setting, x: Array, inside: Bools, reach: int, cyclic: bool
             source = every - shift
             ok: Bools = np.ones(C, np.bool_) if cyclic else (source >= 0) & (source < C)
             source %= C
-            e = q[k] - q[k - 1, source]
+            e: Array = q[k] - q[k - 1, source]
             e -= TURN * np.round(e / TURN) * round_
             short = (np.abs(e) <= longest).all(-1) & inside[k] & ok[:, None]
             e = e * weights

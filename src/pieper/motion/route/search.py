@@ -14,6 +14,7 @@ from pieper.motion.route.freedom import Freedom
 from pieper.motion.route.grid import TURNS, Grid, grid
 from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import Rungs, Way, climb, fitted, from_ends, rungs
+from pieper.motion.route.places import between, spread
 from pieper.motion.route.reach import beyond_reach
 from pieper.motion.route.setting import Setting, with_turn_limits
 from pieper.motion.route.setting import setting as setting_of
@@ -171,7 +172,7 @@ def _slow(task: Task, at: Array) -> Array | None:
         if on.all():
             short = smooth(shape, x, rough=True)
             best = short if best is None or short.cost < best.cost else best
-    return None if best is None else _between(best.x, few, at)
+    return None if best is None else between(best.x, few, at)
 
 
 def _drifting(task: Task, few: Array) -> list[Array]:
@@ -201,7 +202,7 @@ def _upright(task: Task, at: Array) -> Array | None:
     found = search(bare, 1)
     if found is None:
         return None
-    return _between(np.hstack([found.x, np.zeros((len(found.x), 2))]), np.arange(len(found.x), dtype=float), at)
+    return between(np.hstack([found.x, np.zeros((len(found.x), 2))]), np.arange(len(found.x), dtype=float), at)
 
 
 def dense(task: Task, least: int, most: int, wanted: int = BETWEEN) -> tuple[Task, int]:
@@ -278,7 +279,7 @@ def _shortest_first(task: Task, way: Way | None, at: Array, slow: Array | None) 
     if way is not None and len(np.unique(way.rung)) == len(way.rung):
         ways.append((at[way.rung], way.x))
     elif way is not None:
-        return [(_spread(at[way.rung]), way.x)]
+        return [(spread(at[way.rung]), way.x)]
     if slow is not None:
         ways.append((at, slow))
     if not task.setting.spare:
@@ -298,12 +299,6 @@ def _shortest_first(task: Task, way: Way | None, at: Array, slow: Array | None) 
 def _told(task: Task) -> Bools:
     """Return whether the route is to begin, and to end, as told."""
     return np.array([end is not None for end in task.ends])
-
-
-def _between(x: Array, place: Array, at: Array) -> Array:
-    """Return a chain x (k, m) at places (k,) as it is at others (M,), on the straight lines between."""
-    columns: list[Array] = [np.interp(at, place, column) for column in x.T]
-    return np.stack(columns, -1)
 
 
 def _climbed(task: Task, cells: Grid, ladder: Rungs, at: Array, spot: bool, wider: float) -> Way | None:
@@ -346,7 +341,7 @@ def carried(task: Task, x: Array, place: Array) -> Smoothed | None:
     N = len(setting.path)
     ends = _told(task)
     if len(place) != N:
-        x = _between(x, place, np.arange(N, dtype=float))
+        x = between(x, place, np.arange(N, dtype=float))
     x, on = setting.on(x, setting.path)
     if not on.all():
         return None
@@ -389,19 +384,6 @@ def _shape(task: Task, at: Indices, parts: Array, ends: Bools) -> Shape:
         travelled: Array = np.append(0.0, np.cumsum(task.turn_step))
         step = np.diff(travelled[at])
     return Shape(setting, setting.path[at], parts, 8 if task.largest else 2, fixed, step)
-
-
-def _spread(place: Array) -> Array:
-    """Return places of a chain that stands now and then, ascending: what happens on the spot takes half the way."""
-    out = place.copy()
-    for value in np.unique(place):
-        same = np.flatnonzero(place == value)
-        before = place[same[0] - 1] if same[0] > 0 else value
-        after = place[same[-1] + 1] if same[-1] + 1 < len(place) else value
-        out[same] = np.linspace(value - (value - before) * 0.45, value + (after - value) * 0.45, len(same))
-    if len(out) > 1:
-        out[0], out[-1] = place[0], place[-1]
-    return out
 
 
 def cost_of(setting: Setting, x: Array, largest: bool) -> float:

@@ -18,7 +18,6 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.joints import inside
 from pieper.kinematics.newton import missed, newton
 from pieper.motion.route.grid import grid
-from pieper.motion.route.keep import Keep
 from pieper.motion.route.ladder import rungs
 from pieper.motion.route.search import Found, Task, carried, cost_of, dense
 from pieper.motion.route.setting import Setting
@@ -73,12 +72,6 @@ def search_by_swarm(task: Task) -> Found | None:
         return None
     cells, s = grid(task.setting), task.setting.s
     return Found(best.x, best.cost, best.slope, cells, rungs(task.setting, cells, s, np.ones(len(s) - 1)))
-
-
-def postures_at(task: Task, s: float) -> Array:
-    """Return postures (k, m) that hold a pose of the path inside the limits, a few of them and found anywhere."""
-    there = replace(task, setting=replace(task.setting, path=task.setting.at(np.array([s]))), ends=(None, None))
-    return _first(replace(there, keep=Keep()), THIN[0], np.random.default_rng(1))
 
 
 def _turns_slowly(task: Task, x: Array) -> bool:
