@@ -120,7 +120,7 @@ def command(
         )
         return DONE
     for line in fit.explain().splitlines():
-        say(line, units)
+        say(line)
     if out:
         print(out)
     return DONE

@@ -58,7 +58,7 @@ def command(
         )
     around = pieper.Scene.load(scene) if scene else pieper.Scene()
     if bodies and not (first or last or file):
-        say(arm.bodies.explain(), units)
+        say(arm.bodies.explain())
         return DONE
     path = _path(arm, first, via, last, file, units)
     if plot:
@@ -89,8 +89,8 @@ def command(
         )
         return status
     if bodies:
-        say(arm.bodies.explain() + "\n", units)
-    say(found.explain(), units)
+        say(arm.bodies.explain() + "\n")
+    say(found.explain())
     if len(arm.bodies) and any(apart.pair[at]):
         one, other = apart.pair[at]
         metres = float(apart[at])

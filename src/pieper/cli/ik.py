@@ -187,7 +187,7 @@ def _print(
 ) -> None:
     sols = solved.sols
     if solved.note:
-        say(solved.note + "\n", units)
+        say(solved.note + "\n")
     if solved.plan.task == "position":
         print_position(sols.T, units)
         print()
@@ -207,7 +207,7 @@ def _print(
         which = "on a continuous set of solutions" if marked is None else f"solution {marked + 1}"
         values = ", ".join(joint_cells(arm, nearest, units))
         say(f"nearest to {near}: {which}, at {values} ({units.said_of_joints(arm)})")
-    say(f"{sols.status.name}: {sols.why}", units)
+    say(f"{sols.status.name}: {sols.why}")
     if sols.status == pieper.Status.OUT_OF_REACH:
         cells = ", ".join(joint_cells(arm, sols.closest.q, units))
         say(f"The posture inside the limits that comes nearest: {cells} ({units.said_of_joints(arm)}).")

@@ -176,7 +176,7 @@ def command(
     if json:
         print_json({"arm": arm.name, "volume_m3": found.volume, "fraction": found.fraction, "count": found.count})
         return DONE
-    say(found.explain(), units)
+    say(found.explain())
     return DONE
 
 

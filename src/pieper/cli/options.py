@@ -13,7 +13,6 @@ import numpy as np
 import pieper
 from pieper.cli.arguments import ALSO, NOTATIONS, numbers
 from pieper.cli.failure import note
-from pieper.cli.spoken_units import in_units
 from pieper.cli.units import ANGLES, LENGTHS, Units
 
 Command = Callable[..., Any]
@@ -201,13 +200,7 @@ def takes_units(command: Command) -> Command:
 
     @functools.wraps(command)
     def with_units(angle: str, length: str, **rest: Any) -> Any:
-        units = Units(length, angle)
-        try:
-            return command(units=units, **rest)
-        except pieper.PieperError as error:
-            # what the library says of what was typed, in the units that it was typed in
-            error.args = (in_units(str(error), units), *error.args[1:])
-            raise
+        return command(units=Units(length, angle), **rest)
 
     made: Command = with_units
     for name, choices in (("--angle", tuple(ANGLES)), ("--length", tuple(LENGTHS))):

@@ -11,15 +11,14 @@ import numpy.typing as npt
 
 import pieper
 from pieper.cli.layout import Column, sentences, table, terminal_width
-from pieper.cli.spoken_units import in_units
 
 if TYPE_CHECKING:
     from pieper.cli.units import Units
 
 
-def say(text: str, units: Units | None = None) -> None:
-    """Print sentences, their lines broken to the terminal's width; the library's in units, where some are given."""
-    print(sentences(text if units is None else in_units(text, units), terminal_width()))
+def say(text: str) -> None:
+    """Print sentences, their lines broken to the terminal's width."""
+    print(sentences(text, terminal_width()))
 
 
 def print_table(

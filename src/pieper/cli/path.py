@@ -66,10 +66,10 @@ def command(
         print_json(_as_data(arm, track, written, note))
         return status
     if note:
-        say(note + "\n", units)
+        say(note + "\n")
     _print_points(arm, track, units)
     _print_branches(track)
-    say(track.explain(), units)
+    say(track.explain())
     if csv:
         say(f"joints and poses: {csv}")
     for file in written:

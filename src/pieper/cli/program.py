@@ -78,7 +78,7 @@ def command(
     if json:
         print_data(arm, motion, moves=len(program.moves))
         return DONE
-    say(program.explain() + "\n", units)
+    say(program.explain() + "\n")
     tell_limits(arm, motion)
     for sentence in [*_unread(arm, file, limits), *written]:
         say(sentence)

@@ -78,7 +78,7 @@ def command(
         _print_points(arm, route, units)
     if relax and route.blocked is not None:
         _ = route.blocked.relaxations  # told once they were asked for
-    say(route.explain(), units)
+    say(route.explain())
     if csv and route.found:
         say(f"joints and turns: {csv}")
     if plot:

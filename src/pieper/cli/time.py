@@ -71,9 +71,9 @@ def command(
         raise pieper.InputError("a motion needs limits: say --speed and --acceleration, and more where it matters.")
     track, note = followed(arm, straight, start, units, order)
     if note:
-        say(note + "\n", units)
+        say(note + "\n")
     if not track.complete:
-        say(track.explain(), units)
+        say(track.explain())
         return NO_SOLUTION
     sections = [_section(text, units) for text in constant]
     try:
@@ -88,10 +88,7 @@ def command(
         return DONE
     tell(arm, motion)
     off = _off_the_lines(arm, motion, track.path[:, :3, 3])
-    say(
-        f"At its samples the tool's point is up to {off * 1e3:.3g} mm off the lines; more points (-n) keep it nearer.",
-        units,
-    )
+    say(f"At its samples the tool's point is up to {off * 1e3:.3g} mm off the lines; more points (-n) keep it nearer.")
     for sentence in written:
         say(sentence)
     return DONE

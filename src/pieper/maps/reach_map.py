@@ -228,9 +228,7 @@ class ReachMap:
         """What was asked of an arm that cannot hold every pose."""
         plan = self.plan
         if plan.description.linked:
-            return (
-                f"The whole pose was asked, of which the arm's {plural(plan.n, 'joint')} hold {plan.n} of 6 numbers. "
-            )
+            return f"The whole pose was asked, of which its {plural(plan.n, 'joint')} hold {plan.n} of 6 numbers. "
         if plan.task == "pose" and plan.reduction.fill:
             # coupled joints of which one is to spare have no inverse for the place alone
             coupled = plan.chain.coupling is not None
