@@ -9,7 +9,7 @@
 #include "dispatch/geometry.hpp"
 #include "singular/all_over.hpp"
 #include "singular/into_limits.hpp"
-#include "singular/merged.hpp"
+#include "singular/known_row.hpp"
 #include "singular/read.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -94,50 +94,6 @@ class FromAside {
   }
 
  private:
-  struct Known {
-    double q[6];
-    int branches;
-    bool singular, regular, fold, weak;
-    bool several;                                        // more than one direction is free, and may lead away
-    double inverse[6][6];                                // of the Jacobian of a regular row: [joint][pose]
-    double miss;                                         // of a singular row
-    double spread;                                       // of one in which branches merge: how far rounding parts them
-    double sigma, second, bend, size, null[6], left[6];  // of a row with a weak direction
-
-    // Whether a solution of a pose that is missed by e, of size `miss`, is this one that has moved.
-    bool leads_to(const SixJoints& arm, const double* a, const double* e, double miss) const {
-      double gap[6], length = 0;
-      for (int i = 0; i < kSix; ++i) gap[i] = arm.way(a, q, i), length += gap[i] * gap[i];
-      if (regular) {
-        double moved = 0, astray = 0;
-        for (int i = 0; i < kSix; ++i) {
-          double step = 0;
-          for (int r = 0; r < 6; ++r) step += inverse[i][r] * e[r];
-          moved += step * step, astray += (gap[i] - step) * (gap[i] - step);
-        }
-        if (astray <= kAsideAstray * kAsideAstray * moved) return true;
-      }
-      if (!fold) return false;
-      double t = 0, along = 0;
-      for (int i = 0; i < kSix; ++i) t += null[i] * gap[i];
-      for (int r = 0; r < 6; ++r) along += left[r] * e[r];
-      if (std::fabs(t) > reach() || std::sqrt(std::fmax(length - t * t, 0.0)) * second > kAsideAcross * (t * t + miss))
-        return false;
-      return std::fabs(along - sigma * t - bend * t * t) <=
-             kAsideAstray * (sigma * std::fabs(t) + std::fabs(bend) * t * t);
-    }
-    // How far from it rounding lets a solution be that is counted in it.
-    double blur(double wide = 1) const {
-      if (!singular) return 0;
-      if (branches < 2) return fold ? 0 : std::fmin(2 * wide * kMergedRounding / std::fmax(sigma, kTiny), kSameAlong);
-      return spread;
-    }
-    // How far along the weakest direction its second order says what is missed.
-    double reach() const { return kFoldReaches * std::fabs(bend); }
-    // Where the other root of the fold lies, along the weakest direction.
-    double twin() const { return -sigma / bend; }
-  };
-
   bool follows(const double* row, const double* e, double far, const std::vector<Known>& known,
                const std::vector<NearCurve>& curves, const Read& out) const {
     for (const Known& one : known)
@@ -274,7 +230,7 @@ class FromAside {
     if (!out.singular || !own) return out;
     out.branches = branches_of_fold(std::fabs(out.bend), d);
     if (out.branches == 2) {
-      onto_root_of_fold(d, out.bend, out.q);
+      onto_root_of_fold(arm_, T, d, out.bend, out.q);
       out.spread = 3 * std::sqrt(kMergedRounding / std::fabs(out.bend));
     } else if (out.branches == 0) {
       const Unfolded root = unfolded(arm_, T, out.q);
@@ -307,16 +263,23 @@ class FromAside {
     for (int i = 0; i < kSix; ++i)
       twin[i] = one.q[i] + t * one.null[i], apart = std::fmax(apart, std::fabs(t * one.null[i]));
     if (std::fabs(t) > one.reach()) return true;
-    if (apart <= kMergedSame) return true;
     for (std::size_t m = 0; m < known.size(); ++m)
       if (m != k && arm_.apart(known[m].q, twin) < apart / 2) return true;
+    if (apart <= kMergedSame) {
+      known[k].branches = 2;
+      return true;
+    }
     if (!one.singular) return false;
     double there[6];
     std::copy(twin, twin + kSix, there);
     const double miss = settle(arm_, T, there, kSlowSteps, kPreciseRank);
     if (!(miss < rounding_of(T))) return false;
-    // what rounding cannot tell from the row is the row
-    if (arm_.apart(there, twin) > apart / 2) return arm_.apart(there, one.q) < apart / 2;
+    if (arm_.apart(there, twin) > apart / 2) {
+      // what rounding cannot tell from the row is the row, where two branches merge then
+      if (!(arm_.apart(there, one.q) < apart / 2)) return false;
+      known[k].branches = 2;
+      return true;
+    }
     Known more = look_at(T, there);
     known.push_back(more);
     return true;
@@ -334,14 +297,8 @@ class FromAside {
     for (const Known* which : left) {
       const Known& one = *which;
       if (one.singular) {
-        bool counted = false;
-        for (const Known* other : left) {
-          const bool better =
-              other->blur(wide) < one.blur(wide) || (other->blur(wide) == one.blur(wide) && other < which);
-          counted |= better && arm_.apart(one.q, other->q) < one.blur(wide);
-        }
-        if (counted) continue;
-        merged.push_back({{}, one.branches});
+        if (is_counted(arm_, left, which, wide)) continue;
+        merged.push_back({{}, branches_with(arm_, left, which, wide)});
         std::copy(one.q, one.q + kSix, merged.back().q);
         continue;
       }
@@ -351,13 +308,12 @@ class FromAside {
     }
     one_of_each(arm_, T, merged);
     for (const Known* one : isolated) out.add(arm_, one->q, 1, -1, false);
-    for (Root& root : merged) {
-      bool again = false;
-      for (const Known* one : isolated) again |= arm_.apart(one->q, root.q) < kSameSolution;
-      if (again) continue;
-      for (bool turns : {false, true}) into_limits(arm_, T, limits_, turns, root.q);
-      out.add(arm_, root.q, root.branches, -1, true);
-    }
+    std::erase_if(merged, [&](const Root& root) {
+      return std::any_of(isolated.begin(), isolated.end(),
+                         [&](const Known* one) { return arm_.apart(one->q, root.q) < kSameSolution; });
+    });
+    all_into_limits(arm_, T, limits_, merged);
+    for (const Root& root : merged) out.add(arm_, root.q, root.branches, -1, true);
     for (std::size_t k = 0; k < out.curves.size(); ++k) {
       double q[6];
       out.curves[k].representative(arm_, T, limits_, q);

@@ -1,6 +1,9 @@
 // A merged root next to a limit: rounding blurs it along what is free there to first order, and a stop may lie within the blur. Scalar.
 #pragma once
 
+#include <vector>
+
+#include "singular/merged.hpp"
 #include "singular/motions.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -40,6 +43,19 @@ inline void into_limits(const SixJoints& arm, const Rigid& T, const Limits& limi
     inside = turned_inside(value, arm.slides[i], limits.lower[i], limits.upper[i]);
   }
   if (inside) std::copy(at, at + kSix, q);
+}
+
+// The same of all merged roots of a pose, but for two that would come to one posture: both roots of a fold beside a limit are rows.
+inline void all_into_limits(const SixJoints& arm, const Rigid& T, const Limits& limits, std::vector<Root>& roots) {
+  std::vector<Root> placed = roots;
+  for (Root& root : placed)
+    for (bool turns : {false, true}) into_limits(arm, T, limits, turns, root.q);
+  for (std::size_t a = 0; a < roots.size(); ++a) {
+    bool alone = true;
+    for (std::size_t b = 0; b < roots.size(); ++b)
+      alone = alone && (a == b || !(arm.apart(placed[a].q, placed[b].q) < arm.apart(roots[a].q, roots[b].q) / 4));
+    if (alone) std::copy(placed[a].q, placed[a].q + kSix, roots[a].q);
+  }
 }
 
 }  // namespace pieper::PIEPER_ISA

@@ -79,10 +79,8 @@ class Look {
     // rows of a pose come in an even number, self-motions and double roots counted twice: another number is not believed
     if ((isolated.size() + branches) % 2) return false;
     for (int k : isolated) out.add(arm_, rows + 6 * k, 1, -1, false);
-    for (Root& root : alone) {
-      for (bool turns : {false, true}) into_limits(arm_, T, limits_, turns, root.q);
-      out.add(arm_, root.q, root.branches, -1, true);
-    }
+    all_into_limits(arm_, T, limits_, alone);
+    for (const Root& root : alone) out.add(arm_, root.q, root.branches, -1, true);
     for (std::size_t k = 0; k < out.motions.size(); ++k) {
       double q[6];
       std::visit([&](const auto& motion) { motion.representative(arm_, limits_, q); }, out.motions[k]);
@@ -151,7 +149,7 @@ class Look {
     const double bend = second_order(at.J, d);
     Root root{{}, free == Free::BESIDE ? 1 : branches_of_fold(std::fabs(bend), d)};
     std::copy(q, q + kSix, root.q);
-    if (root.branches == 2) onto_root_of_fold(d, bend, root.q);
+    if (root.branches == 2) onto_root_of_fold(arm_, T, d, bend, root.q);
     const bool flat = root.branches == 0;
     if (flat) {  // too flat to be told by its second order
       if (next_to_.held(T, q, d.joint[5])) return false;

@@ -51,10 +51,14 @@ inline int branches_of_fold(double bend, const SingularSix& d) {
   return sigma / bend < std::fmax(kMergedSame, 2 * blur) ? 2 : 1;
 }
 
-// Puts a fold's double root where the fold is: rounding leaves it on one of its two sides, and half way to the other it is.
-inline void onto_root_of_fold(const SingularSix& d, double bend, double* q) {
+// Puts a fold's double root where the fold is: rounding leaves it on one of its two sides, and half way to the other it is, on the
+// bent curve that the weakest direction alone is missed on.
+inline void onto_root_of_fold(const SixJoints& arm, const Rigid& T, const SingularSix& d, double bend, double* q) {
+  constexpr int kBackOnto = 2;  // Newton steps: it is off by the square of a way of a millionth
   const double t = -0.5 * d.s[5] / bend;
   for (int i = 0; i < kSix; ++i) q[i] += t * d.joint[5][i];
+  const OnCurve there(arm, T, q, kBackOnto);
+  std::copy(there.q, there.q + kSix, q);
 }
 
 // What forward kinematics rounds of a pose.
@@ -83,11 +87,17 @@ inline Between most_between(const SixJoints& arm, const Rigid& T, const double* 
   return most;
 }
 
+// Whether two postures stand on two sides of a singularity.
+inline bool on_two_sides(const SixJoints& arm, const double* a, const double* b) {
+  return determinant(Standing(arm, a).J) * determinant(Standing(arm, b).J) < 0;
+}
+
 // One of each cluster of singular solutions that forward kinematics cannot tell apart, the most exact first.
 //
 // Two are one when everything between them holds the pose to rounding as well: the blur of a double root is about 1e-8 wide, that
 // of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such are kept apart even where rounding
-// hides what is between them. Where several directions are free a root has no two sides.
+// hides what is between them. Where several directions are free a root has no two sides, and one in which branches merge stands
+// between its own: what is missed on the way to them is rounding. Of two that are one, each on its side, two branches merge.
 inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Root>& roots) {
   struct Row {
     Root root;
@@ -100,19 +110,25 @@ inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Roo
     const double miss = now.missing(T, e), det = determinant(now.J);
     rows.push_back({root, miss, det > 0 ? 1.0 : det < 0 ? -1.0 : 0.0});
   }
-  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.miss < b.miss; });
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    const bool one = a.root.branches == 1, other = b.root.branches == 1;
+    return one != other ? other : a.miss < b.miss;
+  });
   std::vector<Row> kept;
   for (const Row& row : rows) {
     bool same = false;
-    for (const Row& other : kept) {
+    for (Row& other : kept) {
       const double apart = arm.apart(row.root.q, other.root.q);
-      const bool sides = row.side != other.side && std::max(row.root.branches, other.root.branches) < 4;
+      const bool own = row.root.branches == 1 && other.root.branches > 1,
+                 sides = row.side != other.side && !own && std::max(row.root.branches, other.root.branches) < 4;
       same = apart < kMergedSame;
       if (!same && apart < (sides ? kMergedTwins : kMergedBlur)) {
         // a chord leaves a bent curve: what lies between is moved onto it
         const Between most = most_between(arm, T, row.root.q, other.root.q);
-        same = most.strayed < apart / 4 && most.missed <= kMergedAlong && most.rest <= rounding_of(T);
+        same = most.strayed < apart / 4 && most.missed <= (own ? rounding_of(T) : kMergedAlong) &&
+               most.rest <= rounding_of(T);
       }
+      if (same && sides && apart >= kMergedSame && other.root.branches == 1) other.root.branches = 2;
       if (same) break;
     }
     if (!same) kept.push_back(row);

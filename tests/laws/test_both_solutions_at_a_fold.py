@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import pieper
 from benchmarks.measure.fifty_digits import verdict
 from benchmarks.measure.singular_strata import singular_joints, smallest
 from oracle.arms.strata import ARMS
@@ -113,3 +114,70 @@ def test_where_rounding_just_tells_two_of_some_folds_apart_all_are_counted_once(
     assert one.status.name == "SOLVED" and arm.ik_many(T[None]).status[0] == one.status
     assert one.multiplicity.sum() == 8
     assert np.abs(around(one.all_q - q)).max(1).min() < 1e-6
+
+
+#: Arm, and a joint vector 1e-7 to 2e-6 rad from a fold: where rounding only just tells its two solutions apart, or not.
+JUST_TOLD = [
+    (
+        "motoman-ea1400n",
+        (0.05504927565450003, 1.2156582413634696, 0.4015077522020782)
+        + (2.8662329246606597, 1.5484464805173013, 1.2415162900269838),
+    ),
+    (
+        "kinova-jaco-j2n6",
+        (0.36964453241578393, 0.04956458277317862, -3.021232510337087)
+        + (2.9812292031563605, -1.0939187372778172, 2.1351970988781255),
+    ),
+    (
+        "motoman-ea1400n",
+        (-1.229527343736146, 1.7978579866542563, -1.61388024578226)
+        + (1.7386574976962827, 2.1206260225949247, -1.9156757184524875),
+    ),
+    (
+        "motoman-ea1400n",
+        (-2.228371687507652, 1.2734694168323593, -1.6865225203035876)
+        + (0.4663818979912348, 1.9557926189463164, -2.854404919586988),
+    ),
+    (
+        "fanuc-crx-10ia",
+        (1.955419538348068, -2.281452044214881, -0.3631510177892872)
+        + (-1.5828686639271237, -0.01392948477210902, 2.956206559194883),
+    ),
+    (
+        "fanuc-r2000ic-165f",
+        (-2.2872619116768136, -1.973818203879203, 1.7447999611216953)
+        + (1.6044838460999098, 1.125723780711337, 0.21615693059197483),
+    ),
+    (
+        "motoman-ea1400n",
+        (0.15208658021131086, 2.235226698253536, -0.693541417030736)
+        + (1.0541045926653514, -3.1105533949174586, -1.3653155515272175),
+    ),
+    (
+        "universal-robots-ur5e",
+        (1.2073419071462876, -1.6258955920931522, 3.141592619212913)
+        + (3.1220530052490525, -0.9419073286956527, 2.6568111604909848),
+    ),
+    (
+        "universal-robots-ur5e",
+        (-0.2613980350916336, 2.7339363010811257, -3.1415926885607584)
+        + (-1.151094835142495, 2.5026135428817526, -0.16982449887979234),
+    ),
+]
+
+
+@pytest.mark.parametrize(("name", "q"), JUST_TOLD)
+def test_at_the_border_of_rounding_a_fold_counts_two(name, q):
+    """One row with two branches, or two rows of one each: not one simple row, nor three, nor one twice at a limit."""
+    arm, q = pieper.load(name), np.array(q)
+    arm = arm.with_limits({joint: (-np.pi, np.pi) for joint in arm.joint_names})
+    T = arm.fk(q)
+    one, many = arm.ik(T), arm.ik_many(T[None], threads=1)
+    assert one.status.name == "SOLVED" and many.status[0] == one.status
+    assert np.array_equal(one.all_q, many.q[0][many.valid[0]])
+    assert one.multiplicity.sum() % 2 == 0
+    here = np.abs(around(one.all_q - q)).max(1) < 1e-5
+    assert one.multiplicity[here].sum() == 2
+    apart = np.abs(around(one.all_q[:, None] - one.all_q)).max(-1) + 9 * np.eye(len(one.all_q))
+    assert apart.min() > 1e-7
+    assert np.abs(arm.fk(one.all_q) - T).max() < 5e-15
