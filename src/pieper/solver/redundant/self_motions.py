@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import missed, newton
+from pieper.kinematics.newton import missed, newton, scaled_jacobian
 from pieper.solver.arm_rows import full_rows
 from pieper.solver.kernel_rows import Solved
 from pieper.solver.plan.plan import Plan
@@ -172,6 +172,32 @@ def on_curve(motion: SelfMotion, seeds: Array) -> Bools:
     parts = [motion.distances(seeds[i : i + CHUNK]) for i in range(0, len(seeds), CHUNK)]
     away = np.concatenate(parts) if parts else np.zeros(0)
     on = away < SEED_ON_POLYLINE
-    for i in np.flatnonzero(~on & (away < SEED_DOUBTFUL)):
-        on[i] = motion.contains(seeds[i], SEED_ON_CURVE)
+    near = np.flatnonzero(on)
+    doubtful = np.concatenate([near[_on_other_side(motion, seeds[near])], np.flatnonzero(~on & (away < SEED_DOUBTFUL))])
+    for i in doubtful:
+        on[i] = motion.contains(seeds[i][: motion.shown], SEED_ON_CURVE)
     return on
+
+
+def _on_other_side(motion: SelfMotion, seeds: Array) -> Bools:
+    """Return which seeds (m, n) beside a curve of seven joints may lie on another that passes it closely (m,).
+
+    Where one direction is free the determinant of the Jacobian with that direction beneath keeps its sign along a
+    curve, and two that pass each other beside a singular posture have different ones: an elbow nearly straight bends
+    either way.
+    """
+    chain = motion.chain
+    if chain.n != 7 or motion.dimension > 1 or len(motion.samples) < 2 or not len(seeds):
+        return np.zeros(len(seeds), bool)
+    place = np.array([int(np.argmin(np.linalg.norm(motion.gaps(q, motion.samples), axis=1))) for q in seeds])
+    before, after = np.maximum(place - 1, 0), np.minimum(place + 1, len(motion.samples) - 1)
+    along = (motion.samples[after] - motion.samples[before]) / chain.joints.unit
+    return _side(chain, seeds, along) * _side(chain, motion.samples[place], along) < 0
+
+
+def _side(chain: Chain, q: Array, along: Array) -> Array:
+    """Return the signs (m,) of the Jacobians' determinants at q (m, 7), the free direction beneath, as `along`."""
+    J = scaled_jacobian(chain, q)
+    free = np.linalg.svd(J)[2][:, -1]
+    free = free * np.where(np.sum(free * along, axis=1) < 0, -1.0, 1.0)[:, None]
+    return np.sign(np.linalg.det(np.concatenate([J, free[:, None]], axis=1)))

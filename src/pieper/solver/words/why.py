@@ -124,7 +124,7 @@ def _least_over(plan: Plan, q: Array) -> Array:
 def _outside_limits(plan: Plan, sols: Solutions) -> str:
     least, sentence = float("inf"), "No solution lies inside the joint limits."
     elsewhere = bool(plan.redundancy) and any(motion.inside for motion in sols.self_motions)
-    held = f" at the chosen {_held(plan, sols)}" if elsewhere else ""
+    held = f" at the chosen {_held(plan, sols)}" if plan.redundancy else ""
     for q in sols.all_q:
         over = _least_over(plan, q)
         worst = int(np.argmax(over))
