@@ -214,3 +214,43 @@ def test_a_stop_on_one_side_alone_bounds_self_motions_there(name, task, limit):
         further = q.copy()
         further[j] += 2 * np.pi if np.isinf(limit[1]) else -2 * np.pi
         assert np.abs(found.nearest(further) - further).max() < 1e-6
+
+
+#: Arm, a posture beside a singular one, and limits it stands well inside of: descents rest beside the pose.
+BESIDE_SINGULAR = [
+    (
+        "franka-panda",
+        (-0.4608921560287373, 1.465223456802749, -1.733730806768889, -0.5347895950115915)
+        + (1.570719651648539, -1.9950764073996934, -0.9633450840132707),
+        (-0.595895, 0.805468, -2.333427, -0.824782, 1.110009, -2.301927, -1.803495),
+        1.057594,
+    ),
+    (
+        "ufactory-xarm7",
+        (0.661024578681449, 1.180337751122992, -1.520515326130227, 2.6704299489656083)
+        + (-1.5707958432009688, -1.0750489708170248, 1.8851269137670172),
+        (0.014319, 0.862354, -1.806641, 2.426313, -2.866925, -2.105428, 1.530449),
+        1.47135,
+    ),
+    (
+        "kinova-gen3-7dof",
+        (-1.7748499459910452, 1.4851368866328294, 0.0004396488574747103, -0.00012424810295890925)
+        + (0.12219199104167648, -1.0303029391933922, 0.3174595991657521),
+        (-3.625829, 0.951636, -0.238781, -1.465731, -0.364448, -1.463029, -0.131953),
+        2.126242,
+    ),
+]
+
+
+@pytest.mark.parametrize("aside", [0.0, 1e-7, 1e-5])
+@pytest.mark.parametrize(("name", "q", "lower", "width"), BESIDE_SINGULAR)
+def test_a_posture_inside_the_limits_is_not_denied_beside_a_singular_one(name, q, lower, width, aside):
+    """A damped descent rests before it arrives, or where the way that is missed bends back: OUT_OF_REACH was said."""
+    arm, q = pieper.load(name), np.array(q) + aside
+    arm = arm.with_limits({joint: (low, low + width) for joint, low in zip(arm.joint_names, lower, strict=True)})
+    assert np.minimum(q - arm.limits[:, 0], arm.limits[:, 1] - q).min() > 0.1
+    T = arm.fk(q)
+    one, many = arm.ik(T), arm.ik_many(T[None], threads=1)
+    assert one.status.name == "REDUNDANT" and many.status[0] == one.status
+    assert np.abs(one.nearest(q) - q).max() < 1e-6
+    assert len(one.q) and np.abs(arm.fk(one.q) - T).max() < 1e-9

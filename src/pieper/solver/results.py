@@ -263,7 +263,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         counts = checked_weights(weights, self._plan.n)
         candidates = list(joints.unwound(self.q, now, self._plan.limits))
         candidates += [point for motion in self.self_motions if (point := motion.nearest(now, counts)) is not None]
-        if self.self_motions and self._is_solution(now):
+        if (self.self_motions or self._plan.redundancy) and self._is_solution(now):
             candidates.append(now)  # what holds the pose is nearest to itself, whatever a search has met
         if not candidates:
             raise NoSolutionError(f"there is no solution to be near to: {self.why}", status=self.status)

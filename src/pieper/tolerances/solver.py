@@ -191,6 +191,8 @@ CROSSING_CHANGE = 1e-9
 CROSSING_FOUND = 1e-5
 #: A pose that descents inside the limits leave farther away (per length; rad) is not searched for small self-motions.
 NEAR_INSIDE = 3e-2
+#: Where a descent rests and misses the pose by less than this (per length; rad), it is looked for beside.
+ALL_BUT_HELD = 1e-4
 #: Positions that miss the first axis by less, of how far they are along it, lie on it: a few last digits.
 ALONG_FIRST_AXIS = 1e-14
 #: Poses farther away than so many of the arm's lengths are solved with their distance as its length.

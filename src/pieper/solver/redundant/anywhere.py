@@ -7,20 +7,26 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
+from pieper.kinematics.newton import newton_and_miss, null_space
 from pieper.solver.beyond import beyond
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.box import box, descended, spread, well_inside
 from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.sweep import slices
-from pieper.tolerances import CLOSES, NEAR_INSIDE
+from pieper.tolerances import ALL_BUT_HELD, CLOSES, NEAR_INSIDE
 
 #: Starts of the descent inside the limits, where fewer have shown nothing: of postures inside, one start in eighty met
 #: the rarest. The last are for what the other ways have not found either.
 STARTS = 8, 64, 512
 #: Free descents a pose, and poses that are sliced or approached in one go: it bounds the memory.
 FREE_STARTS, TOGETHER = 16, 128
+#: Newton's steps from where a descent has rested near the pose: beside a singular posture each halves what is left.
+LAST_STEPS = 40
+#: Around such a place, how far (rad; lengths) and in how many directions one looks.
+ASIDE, ROUND = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2), 12
 #: What a pose has: no solution at all, solutions outside the limits alone, or some inside.
 NONE, OUTSIDE, INSIDE = 0, 1, 2
 
@@ -76,6 +82,26 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
             np.minimum.at(least, pose, off)
             held = off <= CLOSES
             keep(pose[held], rows[held], np.ones(int(held.sum()), bool))
+            near = np.flatnonzero((off > CLOSES) & (off < NEAR_INSIDE) & (kind[pose] < INSIDE))
+            if len(near):
+                take_last_steps(pose[near], rows[near])
+
+    def take_last_steps(pose: Indices, rows: Array) -> None:
+        # beside singular postures a damped descent rests before it arrives: small self-motions are met by what follows
+        rows, off = newton_and_miss(full, rows, T[pose], steps=LAST_STEPS)
+        rows, within = full.joints.inside_limits(rows, limits)
+        held = off <= CLOSES
+        keep(pose[held], rows[held], within[held])
+        for i, row, miss in zip(pose, rows, off, strict=True):
+            if CLOSES < miss < rests.get(int(i), (ALL_BUT_HELD, row))[0]:
+                rests[int(i)] = float(miss), row
+
+    def look_round() -> None:
+        for i in left:
+            if int(i) in rests:
+                rows = beside_rest(full, rests[int(i)][1], T[i])
+                rows, within = full.joints.inside_limits(rows, limits)
+                keep(np.full(len(rows), i), rows, within)
 
     def stand() -> None:
         at = stops(plan, T[left], threads)
@@ -94,16 +120,20 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
             keep(np.repeat(part, [len(r) for r in met_here]), rows, within)
 
     least = np.full(len(T), np.inf)
+    # by how little the pose is missed where descents rest, and where that is
+    rests: dict[int, tuple[float, Array]] = {}
     # descents before stops: they cost less, and what is inside is most often met by one
     few, more, many = STARTS
     ways = [
         lambda: descend(1),
         lambda: descend(few),
         lambda: descend(more),
+        look_round,
         stand,
         slice_up,
         approach,
         lambda: descend(many),
+        look_round,
     ]
     for way in ways:
         if len(left):
@@ -129,6 +159,20 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
     found = np.flatnonzero(kind == INSIDE)
     q[found] = well_inside(full, q[found], T[found], low, high)
     return Anywhere(kind, q)
+
+
+def beside_rest(chain: Chain, q: Array, T: Array) -> Array:
+    """Return solutions (k, n) of a pose (4, 4) around a posture (n,) at which a descent rests and nearly holds it.
+
+    There the way that is missed bends back: what holds the pose, a small self-motion or one that passes closely, lies
+    to the side of it along the two weakest directions, as far as the root of what is missed.
+    """
+    weakest = null_space(chain, q)[1][-2:]
+    around = np.linspace(0, TURN, ROUND, endpoint=False)
+    ways = np.stack([np.cos(around), np.sin(around)], 1) @ weakest
+    starts = q + (np.array(ASIDE)[:, None, None] * ways).reshape(-1, chain.n) * chain.joints.unit
+    rows, off = newton_and_miss(chain, starts, np.tile(T, (len(starts), 1, 1)), steps=LAST_STEPS)
+    return rows[off <= CLOSES]
 
 
 def spare_values(plan: Plan, q: Array) -> Array:
