@@ -193,6 +193,8 @@ CROSSING_FOUND = 1e-5
 NEAR_INSIDE = 3e-2
 #: Where a descent rests and misses the pose by less than this (per length; rad), it is looked for beside.
 ALL_BUT_HELD = 1e-4
+#: So far around it (rad; lengths): the root of what is missed, by how the weakest way bends.
+ROUND_A_REST = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2)
 #: Positions that miss the first axis by less, of how far they are along it, lie on it: a few last digits.
 ALONG_FIRST_AXIS = 1e-14
 #: Poses farther away than so many of the arm's lengths are solved with their distance as its length.

@@ -16,7 +16,7 @@ from pieper.solver.redundant.approach import from_anywhere
 from pieper.solver.redundant.box import box, descended, spread, well_inside
 from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.sweep import slices
-from pieper.tolerances import ALL_BUT_HELD, CLOSES, NEAR_INSIDE
+from pieper.tolerances import ALL_BUT_HELD, CLOSES, NEAR_INSIDE, ROUND_A_REST
 
 #: Starts of the descent inside the limits, where fewer have shown nothing: of postures inside, one start in eighty met
 #: the rarest. The last are for what the other ways have not found either.
@@ -25,8 +25,8 @@ STARTS = 8, 64, 512
 FREE_STARTS, TOGETHER = 16, 128
 #: Newton's steps from where a descent has rested near the pose: beside a singular posture each halves what is left.
 LAST_STEPS = 40
-#: Around such a place, how far (rad; lengths) and in how many directions one looks.
-ASIDE, ROUND = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2), 12
+#: In how many directions one looks around such a place.
+ROUND = 12
 #: What a pose has: no solution at all, solutions outside the limits alone, or some inside.
 NONE, OUTSIDE, INSIDE = 0, 1, 2
 
@@ -170,7 +170,7 @@ def beside_rest(chain: Chain, q: Array, T: Array) -> Array:
     weakest = null_space(chain, q)[1][-2:]
     around = np.linspace(0, TURN, ROUND, endpoint=False)
     ways = np.stack([np.cos(around), np.sin(around)], 1) @ weakest
-    starts = q + (np.array(ASIDE)[:, None, None] * ways).reshape(-1, chain.n) * chain.joints.unit
+    starts = q + (np.array(ROUND_A_REST)[:, None, None] * ways).reshape(-1, chain.n) * chain.joints.unit
     rows, off = newton_and_miss(chain, starts, np.tile(T, (len(starts), 1, 1)), steps=LAST_STEPS)
     return rows[off <= CLOSES]
 
