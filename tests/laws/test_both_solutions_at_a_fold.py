@@ -16,6 +16,8 @@ from benchmarks.measure.fifty_digits import verdict
 from benchmarks.measure.singular_strata import singular_joints, smallest
 from oracle.arms.strata import ARMS
 from oracle.joints import around
+from pieper.kinematics.newton import newton, scaled_jacobian
+from pieper.solver.singular.merged_roots import all_into_limits, distinct_roots
 
 #: Arm, and a joint vector at a fold whose solution was not among the rows.
 AT_A_FOLD = [
@@ -181,3 +183,25 @@ def test_at_the_border_of_rounding_a_fold_counts_two(name, q):
     apart = np.abs(around(one.all_q[:, None] - one.all_q)).max(-1) + 9 * np.eye(len(one.all_q))
     assert apart.min() > 1e-7
     assert np.abs(arm.fk(one.all_q) - T).max() < 5e-15
+
+
+def _two_roots(arm, q):
+    """Return a solution at a fold and its twin, by Newton's method from as far on the other side."""
+    chain, T = arm.plan.exact.full, arm.fk(q)
+    way = np.linalg.svd(scaled_jacobian(chain, q[None])[0])[2][-1]
+    found = [newton(chain, q + side * 3e-6 * way, T, steps=60, cutoff=1e-14) for side in (1, -1)]
+    return T, [q, max(found, key=lambda p: np.abs(p - q).max())]
+
+
+@pytest.mark.parametrize(("name", "q"), JUST_TOLD)
+def test_the_slow_look_counts_two_at_the_border_too(name, q):
+    """Where one root stands for both, two branches merge in it; where both stay, limits a turn apart keep them two."""
+    arm = pieper.load(name)
+    arm = arm.with_limits({joint: (-np.pi, np.pi) for joint in arm.joint_names})
+    chain = arm.plan.exact.full
+    T, roots = _two_roots(arm, np.array(q))
+    assert 1e-7 < chain.joints.apart(*roots) < 4e-6
+    told = distinct_roots(chain, [(root, 1) for root in roots], T)
+    assert sum(branches for _, branches in told) == 2
+    placed = all_into_limits(chain, roots, T, arm.limits)
+    assert chain.joints.apart(*placed) > 1e-7

@@ -22,7 +22,7 @@ from pieper.solver.singular import near_curve
 from pieper.solver.singular.at_limits import LINE_STEPS, at_limits, drawn_in, leads_away, met_inside, way_of_slides
 from pieper.solver.singular.examined import Examined, told
 from pieper.solver.singular.line_of_slides import SlideLine
-from pieper.solver.singular.merged_roots import distinct_roots, into_limits, merged_root
+from pieper.solver.singular.merged_roots import all_into_limits, distinct_roots, merged_root
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
 from pieper.solver.singular.traced_motion import TracedMotion
@@ -134,24 +134,23 @@ def examine(
     merged = [q for q in merged if not curves.meet(q, ON_POLYLINE)]
     if curves.lines:
         merged = [q for q in merged if second_smallest(chain, q) > SINGULAR_EXAMINED]
-    placed = [merged_root(chain, q, T) for q in (*doubles, *merged)]
-    branches = {root.tobytes(): count for root, count in placed}
-    doubles = distinct_roots(chain, placed, T)
-    doubles = [d for d in doubles if not _any_near(chain, d, isolated)]
-    if most is not None and len(doubles) + len(isolated) > most:
-        doubles = _exact_ones(curves, doubles, most - len(isolated))
-    pairs = [branches[q.tobytes()] for q in doubles]
-    doubles = [into_limits(chain, q, T, limits) for q in doubles]
+    placed = distinct_roots(chain, [merged_root(chain, q, T) for q in (*doubles, *merged)], T)
+    placed = [root for root in placed if not _any_near(chain, root[0], isolated)]
+    if most is not None and len(placed) + len(isolated) > most:
+        placed = _exact_ones(curves, placed, most - len(isolated))
+    doubles = all_into_limits(chain, [q for q, _ in placed], T, limits)
+    pairs = [count for _, count in placed]
     return told(chain, isolated, doubles, pairs, met_inside([at_limits(motion) for motion in curves.closed]))
 
 
-def _exact_ones(curves: _Curves, doubles: list[Array], room: int) -> list[Array]:
+def _exact_ones(curves: _Curves, placed: list[tuple[Array, int]], room: int) -> list[tuple[Array, int]]:
     """Return no more than `room` of singular solutions, where others on the curves that nearly hold the pose remain.
 
     A point of such a curve misses the pose by so little that it looks like a solution; more than the pose can have
     are none, and those that miss it by most are points near a better one.
     """
-    worst_first = np.argsort(-missed(curves.chain, np.array(doubles), curves.T), kind="stable")
+    doubles = np.array([q for q, _ in placed])
+    worst_first = np.argsort(-missed(curves.chain, doubles, curves.T), kind="stable")
     kept = set(range(len(doubles)))
     for k in map(int, worst_first):
         if len(kept) <= room:
@@ -159,7 +158,7 @@ def _exact_ones(curves: _Curves, doubles: list[Array], room: int) -> list[Array]
         along = [near for near in curves.near if near.distance(doubles[k]) < ON_NEAR_POLYLINE]
         if any(near.distance(doubles[m]) < ON_NEAR_POLYLINE for near in along for m in kept - {k}):
             kept.remove(k)
-    return [doubles[k] for k in sorted(kept)]
+    return [placed[k] for k in sorted(kept)]
 
 
 def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], list[Array]]:

@@ -53,15 +53,16 @@ def merged_root(chain: Chain, q: Array, T: Array) -> tuple[Array, int]:
     return placed * unit, branches
 
 
-def distinct_roots(chain: Chain, placed: list[tuple[Array, int]], T: Array) -> list[Array]:
+def distinct_roots(chain: Chain, placed: list[tuple[Array, int]], T: Array) -> list[tuple[Array, int]]:
     """Return one of each cluster of singular rows that forward kinematics cannot tell apart, the most exact first.
 
-    Each is given with how many branches merge in it.
+    Each is given and returned with how many branches merge in it.
 
     Two rows are one when everything between them holds the pose to rounding as well: the blur of a double root is
     about 1e-8 wide, that of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such
     rows are kept apart even where rounding hides what is between them. Where several directions are free a root has
     no two sides, and one in which branches merge stands between its own: what is missed on the way to them is rounding.
+    Of two that are one, each on its side, two branches merge.
     """
     if not placed:
         return []
@@ -89,10 +90,12 @@ def distinct_roots(chain: Chain, placed: list[tuple[Array, int]], T: Array) -> l
                 along = MERGED_ROUNDING * size if own else MERGED_ALONG
                 told = np.abs(between.miss).max() > along or between.rest.max() > MERGED_ROUNDING * size
                 if strayed < apart / 4 and not told:
+                    if sides and branches[k] == 1:
+                        branches[k] = 2
                     break
         else:
             kept.append(index)
-    return [q[k] for k in kept]
+    return [(q[k], int(branches[k])) for k in kept]
 
 
 def few_apart(chain: Chain, q: Array, miss: Array, most: int) -> Indices:
@@ -110,6 +113,23 @@ def few_apart(chain: Chain, q: Array, miss: Array, most: int) -> Indices:
             break
         keep.pop(i if miss[keep[i]] > miss[keep[j]] else j)
     return np.array(keep, np.int64)
+
+
+def all_into_limits(chain: Chain, roots: list[Array], T: Array, limits: Array) -> list[Array]:
+    """Return singular solutions (n,) of a pose put at limits (n, 2) as `into_limits` says.
+
+    But for two that would come to one posture: both roots of a fold beside a limit are rows.
+    """
+    placed = [into_limits(chain, q, T, limits) for q in roots]
+
+    def alone(a: int) -> bool:
+        return not any(
+            chain.joints.apart(placed[a], placed[b]) < chain.joints.apart(roots[a], roots[b]) / 4
+            for b in range(len(roots))
+            if b != a
+        )
+
+    return [placed[a] if alone(a) else roots[a] for a in range(len(roots))]
 
 
 def into_limits(chain: Chain, q: Array, T: Array, limits: Array) -> Array:
