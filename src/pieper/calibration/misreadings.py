@@ -12,7 +12,7 @@ from pieper.calibration.frames import frame_and_tool, frame_between, tool_betwee
 from pieper.calibration.measurements import Measurements
 from pieper.calibration.model import AxesModel
 from pieper.calibration.reading import Reading
-from pieper.calibration.strange_rows import in_part
+from pieper.calibration.strange_rows import in_part, misses_of_rows
 from pieper.calibration.units import of_one_size, units_of
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
@@ -97,10 +97,8 @@ def _or_another_joint(
 
 def missed(model: AxesModel, q: Array, data: Measurements) -> tuple[float, float | None]:
     """Return the median miss of the nominal arm, m, and of poses that of the turn, rad."""
-    T = model.fk(q)
-    way, turn = data.placed(T[:, :3, 3]).misses(T)
-    metres = float(np.median(np.linalg.norm(way, axis=1)))
-    return metres, float(np.median(np.linalg.norm(turn, axis=1))) if turn.shape[1] else None
+    metres, radians = misses_of_rows(model, q, data)
+    return float(np.median(metres)), None if radians is None else float(np.median(radians))
 
 
 def misfit(model: AxesModel, q: Array, data: Measurements, length: float) -> float:

@@ -19,11 +19,17 @@ from pieper.words_by_number import plural
 NAMED_ROWS = 8
 
 
-def off(model: AxesModel, q: Array, data: Measurements, length: float) -> Array:
-    """Return by how much the nominal arm misses each row (N,), per its length; of poses the turns (rad) are added."""
+def misses_of_rows(model: AxesModel, q: Array, data: Measurements) -> tuple[Array, Array | None]:
+    """Return by how much the nominal arm misses each row (N,), m, and of poses how far it is turned (N,), rad."""
     T = model.fk(q)
     way, turn = data.placed(T[:, :3, 3]).misses(T)
-    return np.asarray(np.linalg.norm(way, axis=1) / length + np.linalg.norm(turn, axis=1))
+    return np.linalg.norm(way, axis=1), np.linalg.norm(turn, axis=1) if turn.shape[1] else None
+
+
+def off(model: AxesModel, q: Array, data: Measurements, length: float) -> Array:
+    """Return by how much the nominal arm misses each row (N,), per its length; of poses the turns (rad) are added."""
+    metres, radians = misses_of_rows(model, q, data)
+    return np.asarray(metres / length + (0.0 if radians is None else radians))
 
 
 def in_part(model: AxesModel, q: Array, data: Measurements, best: Reading, length: float) -> Reading:
