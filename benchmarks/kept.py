@@ -33,6 +33,11 @@ def write(state: dict[str, Any], path: Path, indent: int | None = None) -> None:
     write_text(json.dumps(state, indent=indent) + "\n", path)
 
 
+def in_lines(entries: dict[str, Any]) -> str:
+    """Return an object of JSON with an entry a line: what is added to it later changes no other line."""
+    return "{\n" + ",\n".join(f"{json.dumps(name)}: {json.dumps(own)}" for name, own in entries.items()) + "\n}"
+
+
 @contextmanager
 def held() -> Iterator[None]:
     """Keep others from writing results: what one reads, adds to and writes is not taken back by one who read before."""

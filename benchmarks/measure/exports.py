@@ -9,7 +9,6 @@ and 12 digits and to float32. `make pages` makes docs/exported_solvers.md of it.
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import runpy
 import tempfile
@@ -20,7 +19,7 @@ from typing import Any
 import numpy as np
 
 import pieper
-from benchmarks.kept import RESULTS, commit, held, read, write_text
+from benchmarks.kept import RESULTS, commit, held, in_lines, read, write_text
 from benchmarks.measure.exported import LANGUAGES, Asked, Found
 from pieper.code.program import RECORDED
 from pieper.kinematics.arrays import Bools, Indices
@@ -109,8 +108,7 @@ def keep(name: str, language: str, found: dict[str, Any]) -> None:
     with held():
         arms = (read("exports") or {"arms": {}})["arms"]
         arms.setdefault(name, {})[language] = found
-        lines = [f"{json.dumps(name)}: {json.dumps(own)}" for name, own in sorted(arms.items())]
-        text = f'{{"commit": "{commit()}", "arms": {{\n' + ",\n".join(lines) + "\n}}\n"
+        text = f'{{"commit": "{commit()}", "arms": {in_lines(dict(sorted(arms.items())))}}}\n'
         write_text(text, RESULTS / "exports.json")
 
 

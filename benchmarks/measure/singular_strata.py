@@ -17,10 +17,11 @@ import argparse
 import json
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from benchmarks.kept import RESULTS
+from benchmarks.kept import RESULTS, in_lines, write_text
 from benchmarks.measure.fifty_digits import verdict
 from benchmarks.pages.singular_strata import VERDICTS, table
 from oracle.arms.strata import ARMS
@@ -168,6 +169,15 @@ def measure(arm, seed: int) -> dict:
     return out
 
 
+def in_chunks(kept: dict[str, Any]) -> str:
+    """Return what is kept as JSON with a chunk a line."""
+    arms = [
+        f'{json.dumps(name)}: {{"family": {json.dumps(own["family"])}, "chunks": {in_lines(own["chunks"])}}}'
+        for name, own in kept.items()
+    ]
+    return "{\n" + ",\n".join(arms) + "\n}\n"
+
+
 def main() -> None:
     """Measure what is not measured yet, chunk by chunk, and print the table."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
@@ -185,7 +195,7 @@ def main() -> None:
             if str(seed) in kept[name]["chunks"]:
                 continue
             kept[name]["chunks"][str(seed)] = measure(arm, seed)
-            args.file.write_text(json.dumps(kept, indent=1))
+            write_text(in_chunks(kept), args.file)
         print(table({name: kept[name]}).splitlines()[-1], flush=True)
     print(table(kept))
 
