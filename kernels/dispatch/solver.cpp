@@ -51,14 +51,16 @@ Solver::Solver(const Geometry& geometry, std::vector<double> lower, std::vector<
   if (lower_.size() != size || upper_.size() != size || prismatic_.size() != size)
     throw std::invalid_argument("lower, upper and prismatic must have one entry a joint, " + std::to_string(size) +
                                 " here.");
-  // a second turn leads beyond three half turns
   for (std::size_t j = 0; j < size; ++j)
-    once_ &= prismatic_[j] || ((lower_[j] <= kHalfTurn || upper_[j] <= 3 * kHalfTurn) &&
-                               (upper_[j] >= -kHalfTurn || lower_[j] >= -3 * kHalfTurn));
+    once_ &= prismatic_[j] || (lower_[j] <= kHalfTurn && upper_[j] >= -kHalfTurn);
   kernel_ = family_.make(geometry);
 }
 
-long Solver::solve_block(const double* T, long count, double* deviation, double* straight, const Answers& to) const {
+long Solver::solve_block(const double* T, long count, double* deviation, double* straight, bool past_cache,
+                         const Answers& to) const {
+  if (once_ && family_.solve_inside &&
+      family_.solve_inside(kernel_, T, count, {limits(), exact_, past_cache}, to))
+    return count;
   const double largest = isa_.deviation(T, count, deviation);
   if (!(largest <= accepted_))
     return std::find_if(deviation, deviation + count, [&](double d) { return !(d <= accepted_); }) - deviation;
@@ -67,15 +69,11 @@ long Solver::solve_block(const double* T, long count, double* deviation, double*
     isa_.straighten(T, deviation, exact_, count, straight);
     T = straight;
   }
-  const JointLimits limits = {lower_.data(), upper_.data(), prismatic_.data(), once_};
-  const bool fused = once_ && family_.solve_inside;
-  if (fused) family_.solve_inside(kernel_, T, count, limits, to.q, to.valid, to.flag, to.in_limits);
-  else family_.solve(kernel_, T, count, to.q, to.valid, to.flag);
+  family_.solve(kernel_, T, count, to.q, to.valid, to.flag);
   if (!family_.in_order) isa_.put_in_order(to.q, to.valid, count, slots(), joints(), prismatic_.data());
   if (rounded)
     for (long i = 0; i < count; ++i) to.flag[i] |= deviation[i] > exact_ ? kRounded : 0;
-  if (!fused)
-    isa_.limits(to.q, to.valid, count * slots(), joints(), limits.lower, limits.upper, limits.prismatic, to.in_limits);
+  isa_.limits(to.q, to.valid, count * slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(), to.in_limits);
   isa_.outcomes(to.valid, to.in_limits, count, slots(), to.outcome);
   return count;
 }
@@ -83,8 +81,10 @@ long Solver::solve_block(const double* T, long count, double* deviation, double*
 Outcome Solver::solve(const double* T, long count, int threads, const Answers& to, const Chosen& chosen, BadPose& bad,
                       const std::function<bool(long)>& keep_going) const {
   const long record = static_cast<long>(slots()) * joints(), bytes = record * static_cast<long>(sizeof(double));
-  // answers larger than the cache are made in a scratch that stays in it and then copied past it
-  const bool streams = count * bytes > cache_size();
+  // answers larger than the cache go past it: at once, or where they are read again or the family knows no such way from a scratch
+  // that stays in it
+  const bool past_cache = count * bytes > cache_size(), at_once = once_ && family_.solve_inside && !chosen.by,
+             streams = past_cache && !at_once;
   const long block =
       streams ? std::clamp(kScratch / bytes / kSmallestBlock * kSmallestBlock, kSmallestBlock, kBlock) : kBlock;
   std::atomic<long> next{0}, done{0}, first_bad{count};
@@ -100,7 +100,7 @@ Outcome Solver::solve(const double* T, long count, int threads, const Answers& t
       double* const q = to.q + record * first;
       const Answers part = {streams ? scratch.get() : q, to.valid + slots() * first, to.in_limits + slots() * first,
                             to.flag + first, to.outcome + first};
-      const long good = solve_block(T + 16 * first, here, deviation, straight, part);
+      const long good = solve_block(T + 16 * first, here, deviation, straight, past_cache && at_once, part);
       if (good < here) {
         // blocks are handed out in order: those before this one are being looked at, and may hold an earlier one
         const std::lock_guard lock(of_bad);

@@ -51,7 +51,7 @@ struct SphericalWristParallel : Geometry {
 
 #ifdef PIEPER_ISA
 #include "lanes/batch.hpp"
-#include "lanes/math.hpp"
+#include "lanes/unit_angle.hpp"
 
 namespace pieper::PIEPER_ISA {
 
@@ -60,43 +60,99 @@ class SphericalWristParallelKernel {
   static constexpr bool in_order = true;
   explicit SphericalWristParallelKernel(const SphericalWristParallel& arm) : arm_(arm) {}
 
+  // Each joint's angle less what it is measured from, in (-pi, pi].
+  template <class F> struct AsTheyCome {
+    double offset[6];
+
+    explicit AsTheyCome(const SphericalWristParallel& P)
+        : offset{0.0, P.offset2, P.sign3 * P.offset3, P.offset4, P.offset5, 0.0} {}
+    PIEPER_INLINE F own(int, F s, F c) const { return atan2(s, c); }
+    PIEPER_INLINE F operator()(int j, F angle) const { return wrapped(angle - offset[j]); }
+    PIEPER_INLINE F other_way(int, F q) const { return half_a_turn_on(q); }
+    PIEPER_INLINE void keep(const F (&from)[6], Mask<F>, F (&to)[6], Mask<F>&) const {
+      for (int j = 0; j < 6; ++j) to[j] = from[j];
+    }
+  };
+
   void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
     if (count == 1) return solve_alone(arm_, load_poses<double>(T), q, valid, flag);
-    solve_batch<SphericalWristParallelKernel>(arm_, T, count, nullptr, q, valid, flag, nullptr);
+    in_lanes(T, count, [&](long first, int lanes, const double* poses) {
+      using F = Lanes<PIEPER_LANES>;
+      Branches<F, 8, 6> out;
+      branches(arm_, load_poses<F>(poses), out, AsTheyCome<F>(arm_));
+      for (int m = 0; m < 8; ++m)
+        for (int j = 0; j < 6; ++j) out.q[m][j] = select(out.valid[m], out.q[m][j], F(0.0));
+      store_records<F, 48>(q + 48 * first, out.q[0], lanes);
+      store_masks<F, 8>(valid + 8 * first, out.valid, lanes);
+      store_flags<F>(flag + first, out, lanes);
+    });
   }
-  void solve_inside(const double* T, long count, const JointLimits& limits, double* q, std::uint8_t* valid,
-                    std::uint8_t* flag, std::uint8_t* in_limits) const {
-    solve_batch<SphericalWristParallelKernel>(arm_, T, count, &limits, q, valid, flag, in_limits);
+  bool solve_inside(const double* T, long count, const Directly& how, const Answers& to) const {
+    using F = Lanes<PIEPER_LANES>;
+    const Places places(arm_, how.limits);
+    bool exact = true;
+    in_lanes(T, count, [&](long first, int lanes, const double* poses) {
+      Branches<F, 8, 6> out;
+      const Given<F> given = load_given<F>(poses);
+      exact = exact & all(is_exact(given, how.exact));
+      branches(arm_, given.pose, out, Inside<F>{places});
+      store_group<F>(out, first, lanes, how.past_cache, to);
+    });
+    if (how.past_cache) past_cache_done();
+    return exact;
   }
 
   // All branches of W poses: lanes are poses, the branches follow one another.
-  template <class F>
-  PIEPER_INLINE static void branches(const SphericalWristParallel& P, const RigidT<F>& T, Branches<F, 8, 6>& out) {
+  template <class F, class Place>
+  PIEPER_INLINE static void branches(const SphericalWristParallel& P, const RigidT<F>& T, Branches<F, 8, 6>& out,
+                                     const Place& place) {
     F M[3][3], w[3];
     into_base(P, T, M, w);
     Shoulder<F> shoulder = start_shoulder(P, w);
     Mask<F> none = mask_of<F>(true), beyond = mask_of<F>(true);
+    // step by step for all postures: a step is a chain of dependent operations, and one posture's hides the latencies of another's
+    Arm<F> arm[2];
+    Elbow<F> elbow[2];
+    Forearm<F> forearm[4];
+    Wrist<F> wrist[4];
 #pragma GCC unroll 2
     for (int side = 0; side < 2; ++side) {
-      Arm<F> arm = turn_shoulder(P, M, w, shoulder, F(side ? -1.0 : 1.0));
-      if (side) arm.ok = arm.ok & shoulder.two_sides;
-      Elbow<F> elbow = start_elbow(P, arm);
+      arm[side] = turn_shoulder(P, M, w, shoulder, F(side ? -1.0 : 1.0));
+      if (side) arm[side].ok = arm[side].ok & shoulder.two_sides;
+    }
 #pragma GCC unroll 2
-      for (int e = 0; e < 2; ++e) {
-        Answer<F> answer = bend_and_turn_wrist(P, M, arm, elbow, F(side == e ? -1.0 : 1.0));
-        const Mask<F> ok = e ? answer.ok & elbow.two : answer.ok;
-        const int slot = 4 * side + 2 * e;
-        for (int j = 0; j < 6; ++j) out.q[slot][j] = answer.q[j];
-        out.valid[slot] = ok;
-        // the other turn of the wrist: th4 + pi, -th5, th6 + pi, the same rotation exactly
-        for (int j = 0; j < 3; ++j) out.q[slot + 1][j] = answer.q[j];
-        for (int j = 0; j < 3; ++j) out.q[slot + 1][3 + j] = answer.flipped[j];
-        out.valid[slot + 1] = ok & answer.two;
-        shoulder.degenerate = shoulder.degenerate | (answer.degenerate & ok);
-        none = none & !ok;
-      }
-      shoulder.degenerate = shoulder.degenerate | elbow.degenerate;
-      beyond = beyond & elbow.beyond;
+    for (int side = 0; side < 2; ++side) elbow[side] = start_elbow(P, arm[side]);
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) forearm[k] = bend(P, M, arm[k / 2], elbow[k / 2], F(k == 0 || k == 3 ? -1.0 : 1.0));
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) wrist[k] = turn_wrist(P, arm[k / 2], elbow[k / 2], forearm[k]);
+    F q1[2], th3[2];
+#pragma GCC unroll 2
+    for (int side = 0; side < 2; ++side) {
+      q1[side] = place.own(0, arm[side].s, arm[side].c);
+      th3[side] = unit_angle(elbow[side].s3, elbow[side].c3);
+      shoulder.degenerate = shoulder.degenerate | elbow[side].degenerate;
+      beyond = beyond & elbow[side].beyond;
+    }
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) {
+      const Wrist<F>& of = wrist[k];
+      const Mask<F> ok = k % 2 ? of.ok & elbow[k / 2].two : of.ok;
+      const Angles<F> angle = angles(P, elbow[k / 2], forearm[k], of);
+      const F at[6] = {q1[k / 2],
+                       place(1, angle.th2),
+                       place(2, (k == 0 || k == 3 ? -P.sign3 : P.sign3) * th3[k / 2]),
+                       place(3, angle.th4),
+                       place(4, angle.th5),
+                       place.own(5, of.s6, of.c6)};
+      // the other turn of the wrist: th4 + pi, -th5, th6 + pi, the same rotation exactly
+      const F other[6] = {at[0], at[1], at[2], place.other_way(3, at[3]), place(4, -angle.th5), place.other_way(5, at[5])};
+      out.valid[2 * k] = ok;
+      out.valid[2 * k + 1] = ok & of.two;
+      place.keep(at, ok, out.q[2 * k], out.inside[2 * k]);
+      place.keep(other, out.valid[2 * k + 1], out.q[2 * k + 1], out.inside[2 * k + 1]);
+      shoulder.degenerate = shoulder.degenerate | (of.degenerate & ok);
+      none = none & !ok;
     }
     out.degenerate = shoulder.degenerate;
     out.uncertain = none & shoulder.degenerate & shoulder.reached;
@@ -122,21 +178,31 @@ class SphericalWristParallelKernel {
     }
     Shoulder<F> shoulder = start_shoulder(P, w);
     Arm<F> arm = turn_shoulder(P, M, w, shoulder, side);
+    const AsTheyCome<F> place(P);
     arm.ok = arm.ok & (shoulder.two_sides | (side > 0.0));
     Elbow<F> elbow = start_elbow(P, arm);
-    Answer<F> answer = bend_and_turn_wrist(P, M, arm, elbow, sense);
+    const Forearm<F> forearm = bend(P, M, arm, elbow, sense);
+    const Wrist<F> wrist = turn_wrist(P, arm, elbow, forearm);
+    const Angles<F> angle = angles(P, elbow, forearm, wrist);
     Mask<F> second = (side * sense) > 0.0;  // slot with elbow 1
-    Mask<F> ok = answer.ok & (elbow.two | !second);
-    const unsigned bits = bits_of(ok), two = bits_of(answer.two);
-    const bool degenerate = any(shoulder.degenerate | elbow.degenerate | (answer.degenerate & ok));
+    Mask<F> ok = wrist.ok & (elbow.two | !second);
+    const unsigned bits = bits_of(ok), two = bits_of(wrist.two);
+    const bool degenerate = any(shoulder.degenerate | elbow.degenerate | (wrist.degenerate & ok));
+    const F at[6] = {place.own(0, arm.s, arm.c),
+                     place(1, angle.th2),
+                     place(2, (P.sign3 * sense) * unit_angle(elbow.s3, elbow.c3)),
+                     place(3, angle.th4),
+                     place(4, angle.th5),
+                     place.own(5, wrist.s6, wrist.c6)};
+    const F other[6] = {at[0], at[1], at[2], place.other_way(3, at[3]), place(4, -angle.th5), place.other_way(5, at[5])};
     for (int k = 0; k < 4; ++k) {
       const bool first_ok = (bits >> k) & 1u, both_ok = first_ok & ((two >> k) & 1u);
       valid[2 * k] = first_ok;
       valid[2 * k + 1] = both_ok;
       double *a = q + 12 * k, *b = a + 6;
       for (int j = 0; j < 6; ++j) {
-        a[j] = first_ok ? answer.q[j].v[k] : 0.0;
-        b[j] = both_ok ? (j < 3 ? answer.q[j].v[k] : answer.flipped[j < 3 ? 0 : j - 3].v[k]) : 0.0;
+        a[j] = first_ok ? at[j].v[k] : 0.0;
+        b[j] = both_ok ? other[j].v[k] : 0.0;
       }
     }
     *flag = static_cast<std::uint8_t>((degenerate ? kDegenerate : 0) | (bits ? 0 : kOutOfReach) |
@@ -145,6 +211,30 @@ class SphericalWristParallelKernel {
   }
 
  private:
+  // The turn that limits want of each joint.
+  struct Places {
+    TurnOfJoint of[6];
+
+    Places(const SphericalWristParallel& P, const JointLimits& limits) {
+      const double offset[6] = {0.0, P.offset2, P.sign3 * P.offset3, P.offset4, P.offset5, 0.0};
+      for (int j = 0; j < 6; ++j) of[j] = turn_of_joint(limits.lower[j], limits.upper[j], offset[j]);
+    }
+  };
+  template <class F> struct Inside {
+    const Places& places;
+
+    PIEPER_INLINE F own(int j, F s, F c) const { return (*this)(j, unit_angle(s, c)); }
+    PIEPER_INLINE F operator()(int j, F angle) const { return turned_into(places.of[j], angle); }
+    PIEPER_INLINE F other_way(int j, F q) const { return half_a_turn_on(places.of[j], q); }
+    PIEPER_INLINE void keep(const F (&from)[6], Mask<F> ok, F (&to)[6], Mask<F>& inside) const {
+      inside = ok;
+      for (int j = 0; j < 6; ++j) {
+        inside = inside & (from[j] >= places.of[j].low) & (from[j] <= places.of[j].high);
+        to[j] = select(ok, from[j], F(0.0));
+      }
+    }
+  };
+
   template <class F> struct Shoulder {
     F R2, x2, x, over_R2;
     Mask<F> reached, two_sides, degenerate, beyond;  // beyond: out of reach, and so is every pose beside this one
@@ -152,20 +242,29 @@ class SphericalWristParallelKernel {
     F c, s;
   };
   template <class F> struct Arm {  // after the first joint has turned
-    F c, s, q1;
+    F c, s;
     F ux[3], uy[3];  // the rotation's first two rows, turned back
     F X, Z;          // wrist centre in the arm's plane, from axis 2
     F off;           // by how much of what is held so far the pose is missed, see `held`
     Mask<F> ok;
   };
   template <class F> struct Elbow {
-    F D, c3, s3, th3, over_D;
+    F c3, s3, D, over_D;
     F along, forward;  // L2 + L3 cos th3, L3 + L2 cos th3
     Mask<F> ok, two, centred, degenerate, beyond;
   };
-  template <class F> struct Answer {
-    F q[6], flipped[3];  // flipped: q4, q5, q6 of the wrist's other turn
+  template <class F> struct Forearm {
+    F s2, c2;
+    F mx[3], my[3], mz, mz0;  // the rotation's rows from the forearm; of the third the last and the first entry
+    F sine2;                  // the square of sin th5
+    F off;                    // by how much of what is held so far the pose is missed
+  };
+  template <class F> struct Wrist {
+    F s4, c4, s5, s6, c6;
     Mask<F> ok, two, degenerate;
+  };
+  template <class F> struct Angles {
+    F th2, th4, th5;
   };
 
   // The pose seen from B, with the tool taken off: M = B^-1 R C and the wrist centre.
@@ -198,7 +297,13 @@ class SphericalWristParallelKernel {
     a.over_R2 = 1.0 / a.R2;
     a.reached = a.two_sides = a.x2 >= 0.0, a.c = a.s = F(0.0);
     a.degenerate = a.fixed = a.beyond = mask_of<F>(false);
-    if (__builtin_expect(any(a.x2 < shoulder_near(P)), 0)) shoulder_edge(P, w, a);
+    if (__builtin_expect(any(a.x2 < shoulder_near(P)), 0)) {
+      // copies: what is handed on by reference would be kept in memory, in the usual case too
+      const F at[3] = {w[0], w[1], w[2]};
+      Shoulder<F> looked_at = a;
+      shoulder_edge(P, at, looked_at);
+      a = looked_at;
+    }
     return a;
   }
 
@@ -234,7 +339,6 @@ class SphericalWristParallelKernel {
       arm.c = select(a.fixed, a.c, arm.c);
       arm.s = select(a.fixed, a.s, arm.s);
     }
-    arm.q1 = atan2(arm.s, arm.c);
     arm.off = (abs(arm.c * x - arm.s * P.b - w[0]) + abs(arm.s * x + arm.c * P.b - w[1])) * (1.0 / P.scale) +
               lever(P) * abs((arm.c * arm.c - 1.0) + arm.s * arm.s);
     for (int k = 0; k < 3; ++k) {
@@ -260,19 +364,23 @@ class SphericalWristParallelKernel {
     e.two = square >= 0.0;
     e.ok = arm.ok & e.two;
     e.centred = e.degenerate = e.beyond = mask_of<F>(false);
-    if (__builtin_expect(any(square < kSwpEdgeOfElbow), 0)) elbow_edge(P, arm, c3, square, e);
     e.c3 = c3;
-    e.th3 = atan2(e.s3, c3);
+    if (__builtin_expect(any(square < kSwpEdgeOfElbow), 0)) {
+      const Arm<F> of = arm;
+      Elbow<F> looked_at = e;
+      elbow_edge(P, of, F(square), looked_at);
+      e = looked_at;
+    }
     return e;
   }
 
   // Arm nearly stretched or folded: the same quantities from the small distance to the edge of reach, without cancellation.
   template <class F> __attribute__((noinline)) static void elbow_edge(const SphericalWristParallel& P,
-                                                                      const Arm<F>& arm, F& c3, const F& square,
+                                                                      const Arm<F>& arm, const F& square,
                                                                       Elbow<F>& e) {
     const double L2 = P.upper, L3 = P.fore, scale = P.scale, here = kSwpOnSingularity * scale;
     const double outer = L2 + L3, inner = __builtin_fabs(L2 - L3), over = 0.5 / (L2 * L3);
-    F r = sqrt(e.D);
+    F r = sqrt(e.D), c3 = e.c3;
     Mask<F> folded = c3 < 0.0, close = square < kSwpEdgeOfElbow;
     F gap = select(folded, r - inner, outer - r);
     // where the shoulder is near its own edge, rounding of x = sqrt(x^2) adds to the overshoot
@@ -302,72 +410,76 @@ class SphericalWristParallelKernel {
       e.s3 = select(e.centred, F(0.0), e.s3);
       e.over_D = select(e.centred, F(1.0), e.over_D);
     }
+    e.c3 = c3;
   }
 
-  // One elbow (the sign of th3) and its wrist with sin th5 >= 0, verified.
-  template <class F> PIEPER_INLINE static Answer<F> bend_and_turn_wrist(const SphericalWristParallel& P,
-                                                                        const F (&M)[3][3], const Arm<F>& arm,
-                                                                        const Elbow<F>& e, F sense) {
-    Answer<F> out;
+  // One elbow, the sign of th3, and the rotation that is left to the wrist.
+  template <class F> PIEPER_INLINE static Forearm<F> bend(const SphericalWristParallel& P, const F (&M)[3][3],
+                                                          const Arm<F>& arm, const Elbow<F>& e, F sense) {
+    Forearm<F> out;
     // w = e^{i th2} (L2 + L3 e^{i th3}) = e^{i (th2 + th3)} (L3 + L2 e^{-i th3})
-    F sine3 = sense * e.s3, across = P.fore * sine3, sideways = P.upper * sine3;
-    F s2 = arm.Z * e.along - arm.X * across, c2 = arm.X * e.along + arm.Z * across;
-    F th2 = atan2_closed(s2, c2);
-    s2 *= e.over_D, c2 *= e.over_D;
+    const F sine3 = sense * e.s3, across = P.fore * sine3, sideways = P.upper * sine3;
+    F s2 = (arm.Z * e.along - arm.X * across) * e.over_D, c2 = (arm.X * e.along + arm.Z * across) * e.over_D;
     F c23 = (arm.X * e.forward - arm.Z * sideways) * e.over_D;
     F s23 = (arm.Z * e.forward + arm.X * sideways) * e.over_D;
     if (__builtin_expect(any(e.centred), 0)) {  // only when L2 = L3: folded back onto axis 2, th2 is free
-      F c20, s20, th20 = F(P.offset2);
-      sincos_of_turns(th20, s20, c20);
-      th2 = select(e.centred, th20, th2);
+      F c20, s20;
+      sincos_of_turns(F(P.offset2), s20, c20);
       c2 = select(e.centred, c20, c2), s2 = select(e.centred, s20, s2);
       c23 = select(e.centred, -c20, c23), s23 = select(e.centred, -s20, s23);
     }
-    out.q[0] = arm.q1;
-    out.q[1] = wrapped(th2 - P.offset2);
-    out.q[2] = wrapped(P.sign3 * (sense * e.th3 - P.offset3));
-
-    F c = c23 * P.cos_psi - s23 * P.sin_psi, s = s23 * P.cos_psi + c23 * P.sin_psi;
-    F mx[3], my[3], mz = c * M[2][2] - s * arm.ux[2], mz0 = c * M[2][0] - s * arm.ux[0];
+    out.s2 = s2, out.c2 = c2;
+    const F c = c23 * P.cos_psi - s23 * P.sin_psi, s = s23 * P.cos_psi + c23 * P.sin_psi;
+    out.mz = c * M[2][2] - s * arm.ux[2], out.mz0 = c * M[2][0] - s * arm.ux[0];
     for (int k = 0; k < 3; ++k) {
-      mx[k] = c * arm.ux[k] + s * M[2][k];
-      my[k] = arm.uy[k];
+      out.mx[k] = c * arm.ux[k] + s * M[2][k];
+      out.my[k] = arm.uy[k];
     }
     if (P.tilted) {
-      my[1] = P.cos_tau * my[1] - P.sin_tau * (c * M[2][1] - s * arm.ux[1]);
-      F y = my[2], y0 = my[0];
-      my[2] = P.cos_tau * y - P.sin_tau * mz;
-      mz = P.sin_tau * y + P.cos_tau * mz;
-      my[0] = P.cos_tau * y0 - P.sin_tau * mz0;
-      mz0 = P.sin_tau * y0 + P.cos_tau * mz0;
+      out.my[1] = P.cos_tau * out.my[1] - P.sin_tau * (c * M[2][1] - s * arm.ux[1]);
+      const F y = out.my[2], y0 = out.my[0], z = out.mz, z0 = out.mz0;
+      out.my[2] = P.cos_tau * y - P.sin_tau * z, out.mz = P.sin_tau * y + P.cos_tau * z;
+      out.my[0] = P.cos_tau * y0 - P.sin_tau * z0, out.mz0 = P.sin_tau * y0 + P.cos_tau * z0;
     }
-    F sine = sqrt(mx[2] * mx[2] + my[2] * my[2]);
-    Mask<F> on_singularity = sine < kSwpOnSingularity;
-    out.degenerate = sine < kSwpNearSingularity;
-    F over = 1.0 / select(on_singularity, F(1.0), sine);
-    // the same rounded direction serves th4 and th6, so their sum is right even where each alone is not
-    F c4 = select(on_singularity, F(P.cos_offset4), mx[2] * over);
-    F s4 = select(on_singularity, F(P.sin_offset4), my[2] * over);
-    F th4 = atan2_closed(s4, c4);
-    F s5 = c4 * mx[2] + s4 * my[2], th5 = atan2_closed(s5, mz);
-    F s6 = c4 * my[0] - s4 * mx[0], c6 = c4 * my[1] - s4 * mx[1], q6 = atan2(s6, c6);
-    out.q[3] = wrapped(th4 - P.offset4);
-    out.q[4] = wrapped(th5 - P.offset5);
-    out.q[5] = q6;
-    out.flipped[0] = half_a_turn_on(out.q[3]);
-    out.flipped[1] = wrapped(-th5 - P.offset5);
-    out.flipped[2] = half_a_turn_on(q6);
-    out.two = !on_singularity;
+    out.sine2 = out.mx[2] * out.mx[2] + out.my[2] * out.my[2];
     // the arm's plane: the wrist centre, and the forearm's direction as it was used against that of joints 2 and 3
-    F off = (abs(P.upper * c2 + P.fore * c23 - arm.X) + abs(P.upper * s2 + P.fore * s23 - arm.Z)) * (1.0 / P.scale);
-    off += lever(P) * (abs(c2 * e.c3 - s2 * sine3 - c23) + abs(s2 * e.c3 + c2 * sine3 - s23) +
-                       abs((c2 * c2 - 1.0) + s2 * s2) + abs((c23 * c23 - 1.0) + s23 * s23));
+    out.off = (abs(P.upper * c2 + P.fore * c23 - arm.X) + abs(P.upper * s2 + P.fore * s23 - arm.Z)) * (1.0 / P.scale) +
+              lever(P) * (abs(c2 * e.c3 - s2 * sine3 - c23) + abs(s2 * e.c3 + c2 * sine3 - s23) +
+                          abs((c2 * c2 - 1.0) + s2 * s2) + abs((c23 * c23 - 1.0) + s23 * s23));
+    return out;
+  }
+
+  // The wrist with sin th5 >= 0, verified.
+  template <class F> PIEPER_INLINE static Wrist<F> turn_wrist(const SphericalWristParallel& P, const Arm<F>& arm,
+                                                              const Elbow<F>& e, const Forearm<F>& f) {
+    Wrist<F> out;
+    F sine = sqrt(f.sine2);
+    // the same rounded direction serves th4 and th6, so their sum is right even where each alone is not
+    out.degenerate = sine < kSwpNearSingularity;
+    out.two = !(sine < kSwpOnSingularity);
+    if (__builtin_expect(any(out.degenerate), 0)) sine = select(out.two, sine, F(1.0));
+    F over = 1.0 / sine, c4 = f.mx[2] * over, s4 = f.my[2] * over;
+    if (__builtin_expect(any(out.degenerate), 0)) {
+      c4 = select(out.two, c4, F(P.cos_offset4));
+      s4 = select(out.two, s4, F(P.sin_offset4));
+    }
+    const F s5 = c4 * f.mx[2] + s4 * f.my[2], mz = f.mz;
+    const F s6 = c4 * f.my[0] - s4 * f.mx[0], c6 = c4 * f.my[1] - s4 * f.mx[1];
+    out.s4 = s4, out.c4 = c4, out.s5 = s5, out.s6 = s6, out.c6 = c6;
     // the first and the last column of Rz(th4) Ry(th5) Rz(th6), seen from the forearm
-    F turned_x = mz * c6;
-    off += abs(c4 * turned_x - s4 * s6 - mx[0]) + abs(s4 * turned_x + c4 * s6 - my[0]) + abs(s5 * c6 + mz0);
-    off += abs(c4 * s5 - mx[2]) + abs(s4 * s5 - my[2]);
+    const F turned_x = mz * c6;
+    F off = abs(c4 * turned_x - s4 * s6 - f.mx[0]) + abs(s4 * turned_x + c4 * s6 - f.my[0]) + abs(s5 * c6 + f.mz0);
+    off += abs(c4 * s5 - f.mx[2]) + abs(s4 * s5 - f.my[2]);
     off += kTwoColumns * (abs((s5 * s5 - 1.0) + mz * mz) + abs((s6 * s6 - 1.0) + c6 * c6));
-    out.ok = e.ok & (arm.off + off <= verified_within(P));
+    out.ok = e.ok & ((arm.off + f.off) + off <= verified_within(P));
+    return out;
+  }
+
+  template <class F> PIEPER_INLINE static Angles<F> angles(const SphericalWristParallel& P, const Elbow<F>& e,
+                                                           const Forearm<F>& f, const Wrist<F>& wrist) {
+    Angles<F> out = {unit_angle(f.s2, f.c2), unit_angle(wrist.s4, wrist.c4), unit_angle(wrist.s5, f.mz)};
+    if (__builtin_expect(any(e.centred), 0)) out.th2 = select(e.centred, F(P.offset2), out.th2);
+    if (__builtin_expect(any(wrist.degenerate), 0)) out.th4 = select(wrist.two, out.th4, F(P.offset4));
     return out;
   }
 
