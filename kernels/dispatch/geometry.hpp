@@ -36,7 +36,8 @@ struct Choice {
 struct JointLimits {
   const double *lower, *upper;
   const std::uint8_t* prismatic;
-  bool once;  // no lower one above half a turn, no upper one below minus half a turn: one turn or none brings a value in (-pi, pi] inside
+  bool
+      once;  // no lower one above half a turn, no upper one below minus half a turn: one turn or none brings a value in (-pi, pi] inside
 };
 
 // Where answers go: q count x slots x joints, valid and in_limits count x slots, flag and outcome count (0 no rows, 1

@@ -51,15 +51,13 @@ Solver::Solver(const Geometry& geometry, std::vector<double> lower, std::vector<
   if (lower_.size() != size || upper_.size() != size || prismatic_.size() != size)
     throw std::invalid_argument("lower, upper and prismatic must have one entry a joint, " + std::to_string(size) +
                                 " here.");
-  for (std::size_t j = 0; j < size; ++j)
-    once_ &= prismatic_[j] || (lower_[j] <= kHalfTurn && upper_[j] >= -kHalfTurn);
+  for (std::size_t j = 0; j < size; ++j) once_ &= prismatic_[j] || (lower_[j] <= kHalfTurn && upper_[j] >= -kHalfTurn);
   kernel_ = family_.make(geometry);
 }
 
 long Solver::solve_block(const double* T, long count, double* deviation, double* straight, bool past_cache,
                          const Answers& to) const {
-  if (once_ && family_.solve_inside &&
-      family_.solve_inside(kernel_, T, count, {limits(), exact_, past_cache}, to))
+  if (once_ && family_.solve_inside && family_.solve_inside(kernel_, T, count, {limits(), exact_, past_cache}, to))
     return count;
   const double largest = isa_.deviation(T, count, deviation);
   if (!(largest <= accepted_))

@@ -6,7 +6,7 @@
 
 namespace pieper::PIEPER_ISA {
 
-// In [-pi, pi], for an angle that is brought into (-pi, pi] afterwards. NaN in, NaN out; of a pair of another length, any value.
+// In [-pi, pi], for an angle that is brought into (-pi, pi] afterwards. NaN in, NaN out; of a pair whose length is off by more than a millionth, any value.
 template <class F> PIEPER_INLINE F unit_angle(F y, F x) { return atan2_closed(y, x); }
 
 // By how much it misses the angle of its pair. With u = 2^-53: turning back loses u / 4 (a product below 1/2, a difference below 1/4),
@@ -44,17 +44,19 @@ alignas(64) inline constexpr double kAngles[8] = {0.0,
 
 PIEPER_INLINE Lanes<8> unit_angle(Lanes<8> y, Lanes<8> x) {
   using F = Lanes<8>;
-  constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52, a multiple of eight: the last three bits of a sum with it count
+  // 1.5 * 2^52, a multiple of eight: the last three bits of a sum with it count
+  constexpr double to_integer = 6755399441055744.0;
   const F ay = abs(y), ax = abs(x), between = ay - ax;
-  // towards minus infinity: -4 to 3, of which the last three bits are the place in the table, turned by four
+  // towards minus infinity: -4 to 3, of a pair that is too long by a millionth too; four more, and the last three bits are the place
   const __m512i place = _mm512_castpd_si512(
-      _mm512_fmadd_round_pd((__m512d)between.v, _mm512_set1_pd(4.0 * (1 - 0x1p-40)), _mm512_set1_pd(to_integer + 4),
+      _mm512_fmadd_round_pd((__m512d)between.v, _mm512_set1_pd(4.0 * (1 - 0x1p-20)), _mm512_set1_pd(to_integer + 4),
                             _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC));
   const auto pick = [&](const double* table) {
     return F((F::Values)_mm512_permutexvar_pd(place, _mm512_load_pd(table)));
   };
   const F s = ay * pick(kCosines) - ax * pick(kSines), t = s * s, t2 = t * t;
-  const F even = 0.16666666666666804014 + t2 * (0.044642857985347888947 + t2 * (0.022377754964729751535 + t2 * 0.016205762961675647453));
+  const F even = 0.16666666666666804014 +
+                 t2 * (0.044642857985347888947 + t2 * (0.022377754964729751535 + t2 * 0.016205762961675647453));
   const F odd = 0.074999999997335368909 + t2 * (0.030381844775422357748 + t2 * 0.017192504294744689805);
   F r = pick(kAngles) + (s + (s * t) * (even + t * odd));
   r = select(x < 0.0, kPi - r, r);

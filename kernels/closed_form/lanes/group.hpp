@@ -52,8 +52,8 @@ template <class F> PIEPER_INLINE void put_pair(const GroupArm& arm, const PairLa
 // Lanes of poses through a family, verified by closing the loop, rows in order; bits of the lanes that need the careful road. limits: null
 // where they are left to others.
 template <class F, class Family>
-__attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family& family, const RigidT<F>& pose, int lanes,
-                                               const JointLimits* limits, double* q, std::uint8_t* valid,
+__attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family& family, const RigidT<F>& pose,
+                                               int lanes, const JointLimits* limits, double* q, std::uint8_t* valid,
                                                std::uint8_t* flag, std::uint8_t* in_limits) {
   constexpr int W = width_of<F>;
   const LoopRestT<F> rest(arm.links, in_lengths(pose, arm.length), arm.first);
@@ -107,7 +107,8 @@ template <class Geometry, class Lanes_> class GroupKernel {
     if (!arm_.straight || !family_.straight) {
       for (long i = 0; i < count; ++i) again(1, T + 16 * i, nullptr, part(to, i));
     } else if (count == 1) {
-      again(solve_clear<double>(arm_, family_, load_poses<double>(T), 1, nullptr, q, valid, flag, nullptr), T, nullptr, to);
+      again(solve_clear<double>(arm_, family_, load_poses<double>(T), 1, nullptr, q, valid, flag, nullptr), T, nullptr,
+            to);
     } else {
       in_lanes(T, count, [&](long first, int lanes, const double* poses) {
         clear_or_again(load_poses<Wide>(poses), poses, lanes, nullptr, part(to, first));
@@ -115,7 +116,8 @@ template <class Geometry, class Lanes_> class GroupKernel {
     }
   }
   bool solve_inside(const double* T, long count, const Directly& how, const Answers& to) const {
-    bool exact = arm_.straight && family_.straight;  // the careful road alone: those who ask look at its poses themselves
+    bool exact =
+        arm_.straight && family_.straight;  // the careful road alone: those who ask look at its poses themselves
     if (!exact) return false;
     double rows[48 * width_of<Wide>];
     in_lanes(T, count, [&](long first, int lanes, const double* poses) {
