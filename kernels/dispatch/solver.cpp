@@ -23,6 +23,7 @@ constexpr long kBlock = 256;            // poses at most; about 100 kB of answer
 constexpr long kScratch = 24 * 1024;    // bytes of answers that stay in the first cache until they are copied past it
 constexpr long kSmallestBlock = 16;     // poses; a multiple of every width of lanes
 constexpr long kUsualCache = 8L << 20;  // bytes, where the processor does not tell
+constexpr long kShare = 4;              // so many want the cache that all cores share, answers being one of them
 constexpr long kSerialBelow = 2000;     // starting a thread costs as much as this many closed-form poses
 constexpr double kHalfTurn = 3.14159265358979323846;
 
@@ -79,9 +80,10 @@ long Solver::solve_block(const double* T, long count, double* deviation, double*
 Outcome Solver::solve(const double* T, long count, int threads, const Answers& to, const Chosen& chosen, BadPose& bad,
                       const std::function<bool(long)>& keep_going) const {
   const long record = static_cast<long>(slots()) * joints(), bytes = record * static_cast<long>(sizeof(double));
-  // answers larger than the cache go past it: at once, or where they are read again or the family knows no such way from a scratch
-  // that stays in it
-  const bool past_cache = count * bytes > cache_size(), at_once = once_ && family_.solve_inside && !chosen.by,
+  // Large answers go past the cache: at once, which spares reading lines that are only written, or where they are read again or the
+  // family knows no such way from a scratch that stays in it.
+  const bool at_once = once_ && family_.solve_inside && !chosen.by,
+             past_cache = count * bytes > (at_once ? cache_size() / kShare : cache_size()),
              streams = past_cache && !at_once;
   const long block =
       streams ? std::clamp(kScratch / bytes / kSmallestBlock * kSmallestBlock, kSmallestBlock, kBlock) : kBlock;
