@@ -9,6 +9,9 @@ namespace pieper::PIEPER_ISA {
 // In [-pi, pi], for an angle that is brought into (-pi, pi] afterwards. NaN in, NaN out; of a pair whose length is off by more than a millionth, any value.
 template <class F> PIEPER_INLINE F unit_angle(F y, F x) { return atan2_closed(y, x); }
 
+// The same in (-pi, pi], and no zero below zero.
+template <class F> PIEPER_INLINE F unit_angle_wrapped(F y, F x) { return atan2(y, x); }
+
 // By how much it misses the angle of its pair. With u = 2^-53: turning back loses u / 4 (a product below 1/2, a difference below 1/4),
 // the polynomial and its sums u / 4, the table's angle and the sum with it u / 2 each below 1 and u below 2, pi - r rounds by 2 u and pi
 // itself by 1.1 u: 5.6 u together, 6.2e-16, below kAngleError. A pair of length 1 + d turns by at most tan(0.2267) d = 0.231 d more:
@@ -61,6 +64,10 @@ PIEPER_INLINE Lanes<8> unit_angle(Lanes<8> y, Lanes<8> x) {
   F r = pick(kAngles) + (s + (s * t) * (even + t * odd));
   r = select(x < 0.0, kPi - r, r);
   return with_sign_of(r, y);
+}
+PIEPER_INLINE Lanes<8> unit_angle_wrapped(Lanes<8> y, Lanes<8> x) {
+  const Lanes<8> angle = unit_angle(y, x);
+  return select(angle <= -kPi, Lanes<8>(kPi), angle + 0.0);
 }
 #endif
 
