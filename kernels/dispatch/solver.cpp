@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -58,8 +59,11 @@ Solver::Solver(const Geometry& geometry, std::vector<double> lower, std::vector<
 
 long Solver::solve_block(const double* T, long count, double* deviation, double* straight, bool past_cache,
                          const Answers& to) const {
-  if (once_ && family_.solve_inside && family_.solve_inside(kernel_, T, count, {limits(), exact_, past_cache}, to))
-    return count;
+  const auto at_once = [&](const double* poses, double exact) {
+    return once_ && family_.solve_inside &&
+           family_.solve_inside(kernel_, poses, count, {limits(), exact, past_cache}, to);
+  };
+  if (at_once(T, exact_)) return count;
   const double largest = isa_.deviation(T, count, deviation);
   if (!(largest <= accepted_))
     return std::find_if(deviation, deviation + count, [&](double d) { return !(d <= accepted_); }) - deviation;
@@ -68,12 +72,19 @@ long Solver::solve_block(const double* T, long count, double* deviation, double*
     isa_.straighten(T, deviation, exact_, count, straight);
     T = straight;
   }
-  family_.solve(kernel_, T, count, to.q, to.valid, to.flag);
-  if (!family_.in_order) isa_.put_in_order(to.q, to.valid, count, slots(), joints(), prismatic_.data());
+  // by the same road: what a pose comes to is not to hang on the others of its block
+  const bool done = at_once(T, std::numeric_limits<double>::infinity());
+  if (!done) {
+    family_.solve(kernel_, T, count, to.q, to.valid, to.flag);
+    if (!family_.in_order) isa_.put_in_order(to.q, to.valid, count, slots(), joints(), prismatic_.data());
+  }
   if (rounded)
     for (long i = 0; i < count; ++i) to.flag[i] |= deviation[i] > exact_ ? kRounded : 0;
-  isa_.limits(to.q, to.valid, count * slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(), to.in_limits);
-  isa_.outcomes(to.valid, to.in_limits, count, slots(), to.outcome);
+  if (!done) {
+    isa_.limits(to.q, to.valid, count * slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(),
+                to.in_limits);
+    isa_.outcomes(to.valid, to.in_limits, count, slots(), to.outcome);
+  }
   return count;
 }
 
