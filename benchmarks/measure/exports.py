@@ -21,6 +21,7 @@ import numpy as np
 import pieper
 from benchmarks.kept import RESULTS, commit, held, in_lines, read, write_text
 from benchmarks.measure.exported import LANGUAGES, Asked, Found
+from pieper.code.between import between
 from pieper.code.program import RECORDED
 from pieper.kinematics.arrays import Bools, Indices
 
@@ -36,20 +37,25 @@ def asked(arm: pieper.Arm, poses: int) -> Asked:
     reach = np.where(arm.chain.prismatic, arm.chain.length, np.pi)[:, None] * [-1.0, 1.0]
     limits = np.where(np.isfinite(arm.limits), arm.limits, reach)
     q = rng.uniform(limits[:, 0], limits[:, 1], (poses, arm.n))
+    own = between(arm.plan)
+    for j in own.fixed:
+        q[:, j] = own.columns[j]
     T = np.ascontiguousarray(arm.fk(q))
     for k, digits in enumerate(DIGITS):
         some = slice(1 + 2 * k, None, 2 * len(DIGITS))
         T[some] = np.float32(T[some]) if digits is None else np.round(T[some], digits)
-    spare = arm.plan.reduction.locked[0] if arm.plan.reduction.locked else None
-    return Asked(q, T, spare)
+    return Asked(q, T, own.held)
 
 
-def unclear(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, which: Indices) -> Bools:
-    """Return at which poses (k,) the native solver or the list of operations says that it is unsure.
+def unclear(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, found: Found, which: Indices) -> Bools:
+    """Return at which poses (k,) the native solver or the file says that it is unsure.
 
-    Each language writes the same list down; the one of NumPy is asked. What is no list is the native solver itself.
+    Each language writes the same list of operations down; where the file itself was not asked, the one of NumPy is.
+    What is no list is the native solver itself.
     """
     marked = (many.flag[which] & 3) != 0
+    if found.unclear is not None:
+        return np.asarray(marked | found.unclear[which])
     if not len(which) or arm.plan.family not in RECORDED:
         return marked
     values = () if ask.spare is None else (ask.q[which, ask.spare],)
@@ -74,7 +80,7 @@ def compared(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, found: Fou
         wrong[some] |= ~same.any(1)
         met[some] |= same
     wrong |= ~met.all(1)
-    said = unclear(arm, ask, many, np.flatnonzero(wrong)).tolist()
+    said = unclear(arm, ask, many, found, np.flatnonzero(wrong)).tolist()
     return {
         "poses": len(ask.q),
         "rows": int(wanted.sum()),
@@ -137,7 +143,8 @@ def main() -> None:
                 if poses is None or many is None:
                     refused_early(arm, language)
                     poses = asked(arm, said.poses)
-                    value = None if poses.spare is None else poses.q[:, [poses.spare]]
+                    locked = list(arm.plan.reduction.locked)
+                    value = poses.q[:, locked] if locked else None
                     many = arm.ik_many(poses.T, threads=1, redundancy=value)
                 found = measured(arm, language, poses, many)
             except pieper.PlanError as refused:
