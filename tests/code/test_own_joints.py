@@ -16,6 +16,7 @@ import pytest
 import pieper
 from pieper.code.between import between
 from pieper.solver.words.labels import posture_words, sides
+from tests.code.test_cpp import STRICT
 from tests.code.test_export import loaded, needs_gcc, needs_node, poses, written_down
 from tests.code.test_more_languages import needs_octave, needs_wasm, octave
 
@@ -280,7 +281,7 @@ def test_cpp_takes_and_gives_the_joints_own_numbers(kind, tmp_path):
         "const char* one_label(const double* q) { return ::one_label(q); }\n"
         "int one_self_test() { return ::one_self_test(); }\n} }\n"
     )
-    flags = ["-std=c++20", "-O1", "-ffp-contract=fast", "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC"]
+    flags = ["-std=c++20", "-O1", "-ffp-contract=fast", *STRICT, "-shared", "-fPIC"]
     subprocess.run(["g++", *flags, "-o", "one.so", "unit.cpp"], cwd=tmp_path, check=True)
     library = ctypes.CDLL(str(tmp_path / "one.so"))
     judged(arm, library, 200 if arm.plan.family == "general" else 500)

@@ -91,8 +91,7 @@ class SphericalWristParallelKernel {
         out.reached[slot] = e ? answer.reached & elbow.two : answer.reached;
         missed = missed | (out.reached[slot] & !ok);
         // the other turn of the wrist: th4 + pi, -th5, th6 + pi, the same rotation exactly
-        for (int j = 0; j < 3; ++j) out.q[slot + 1][j] = answer.q[j];
-        for (int j = 0; j < 3; ++j) out.q[slot + 1][3 + j] = answer.flipped[j];
+        for (int j = 0; j < 3; ++j) out.q[slot + 1][j] = answer.q[j], out.q[slot + 1][3 + j] = answer.flipped[j];
         out.valid[slot + 1] = ok & answer.two;
         out.reached[slot + 1] = out.reached[slot] & answer.two;
         shoulder.degenerate = shoulder.degenerate | (answer.degenerate & ok);
@@ -101,8 +100,7 @@ class SphericalWristParallelKernel {
       shoulder.degenerate = shoulder.degenerate | elbow.degenerate;
       beyond = beyond & elbow.beyond;
     }
-    out.degenerate = shoulder.degenerate;
-    out.missed = missed;
+    out.degenerate = shoulder.degenerate, out.missed = missed;
     out.uncertain = (none & shoulder.degenerate & shoulder.reached) | missed;
     out.out_of_reach = none;
     out.edge = none & !(shoulder.beyond | beyond);
@@ -120,10 +118,7 @@ class SphericalWristParallelKernel {
       w[i] = F(w1[i]);
     }
     F side, sense;
-    for (int k = 0; k < 4; ++k) {
-      side.v[k] = k < 2 ? 1.0 : -1.0;
-      sense.v[k] = k == 0 || k == 3 ? -1.0 : 1.0;
-    }
+    for (int k = 0; k < 4; ++k) side.v[k] = k < 2 ? 1.0 : -1.0, sense.v[k] = k == 0 || k == 3 ? -1.0 : 1.0;
     Shoulder<F> shoulder = start_shoulder(P, w);
     Arm<F> arm = turn_shoulder(P, M, w, shoulder, side);
     arm.ok = arm.ok & (shoulder.two_sides | (side > 0.0));
@@ -169,9 +164,8 @@ class SphericalWristParallelKernel {
     Mask<F> ok, two, centred, degenerate, beyond;
   };
   template <class F> struct Answer {
-    F q[6], flipped[3];  // flipped: q4, q5, q6 of the wrist's other turn
-    Mask<F> ok, two, degenerate;
-    Mask<F> reached;  // in reach, verified or not
+    F q[6], flipped[3];                    // flipped: q4, q5, q6 of the wrist's other turn
+    Mask<F> ok, two, degenerate, reached;  // reached: verified or not
   };
 
   // The pose seen from B, with the tool taken off: M = B^-1 R C and the wrist centre.
@@ -373,8 +367,7 @@ class SphericalWristParallelKernel {
     off += abs(c4 * turned_x - s4 * s6 - mx[0]) + abs(s4 * turned_x + c4 * s6 - my[0]) + abs(s5 * c6 + mz0);
     off += abs(c4 * s5 - mx[2]) + abs(s4 * s5 - my[2]);
     off += kTwoColumns * (abs((s5 * s5 - 1.0) + mz * mz) + abs((s6 * s6 - 1.0) + c6 * c6));
-    out.reached = e.ok;
-    out.ok = e.ok & (arm.off + off <= verified_within(P));
+    out.reached = e.ok, out.ok = e.ok & (arm.off + off <= verified_within(P));
     return out;
   }
 

@@ -117,8 +117,8 @@ def between(plan: Plan) -> Between:
     place = {joint: real[k] for k, joint in enumerate(reduction.kept.tolist())}
     if any(joint >= axes for joint in reduction.locked):
         raise PlanError(
-            f"{plan.name}: for {plan.task} its tool turns as it likes ({', '.join(plan.redundancy)}), and its rows "
-            "in a file would be few. Ask for the whole pose, or ask arm.ik."
+            f"{plan.name}: for {plan.task} its tool turns as it likes ({', '.join(plan.redundancy)}); "
+            "a file would hold few of its rows. Ask for the whole pose, or ask arm.ik."
         )
     fixed = dict(zip(reduction.locked, solved.defaults.tolist(), strict=True))
     ends = len(reduction.locked) == 1 and reduction.at_ends is not None and reduction.locked[0] < axes

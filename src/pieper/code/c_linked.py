@@ -28,7 +28,7 @@ def linked(gears: Array, back: Array, own: Between) -> dict[str, str]:
     return {
         "AXES_AT": "/* A linkage moves some axes: where they are at joint vectors q. */\n"
         "static void NAME_axes(const double *q, double *v) {\n" + lines(own.sums(gears, "q[{}]".format), "v") + "}\n\n",
-        "COUPLED": "/* The joints' numbers where their own axes are at v; whether the linkage puts the others there. */\n"
+        "COUPLED": "/* The joints' numbers where their axes are at v; whether the linkage puts the others there. */\n"
         "static int NAME_linked(const double *v, double *q) {\n"
         f"  static const double starts[] = {{{starts}}};\n  double said[AXES];\n  int j, kept = 1;\n"
         + lines(own.sums(back, "v[{}]".format), "q")
