@@ -21,7 +21,7 @@ import numpy as np
 import pieper
 from benchmarks.kept import RESULTS, commit, held, in_lines, read, write_text
 from benchmarks.measure.exported import LANGUAGES, Asked, Found
-from pieper.code.between import between
+from pieper.code.between import between, solved_by
 from pieper.code.program import RECORDED
 from pieper.kinematics.arrays import Array, Bits, Bools, Indices
 from pieper.kinematics.pose import checked_pose
@@ -84,7 +84,7 @@ def unclear(arm: pieper.Arm, ask: Asked, many: Native, found: Found, which: Indi
     marked = (many.flag[which] & 3) != 0
     if found.unclear is not None:
         return np.asarray(marked | found.unclear[which])
-    if not len(which) or arm.plan.family not in RECORDED:
+    if not len(which) or solved_by(arm.plan).family not in RECORDED:
         return marked
     values = () if ask.spare is None else (ask.q[which, ask.spare],)
     with tempfile.TemporaryDirectory() as place:

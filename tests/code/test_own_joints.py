@@ -30,6 +30,15 @@ def coupled(*entries, limits=None):
     return pieper.Arm(replace(said, coupling=C, limits=said.limits if limits is None else limits, name="coupled"))
 
 
+def on_a_turntable(name):
+    """Return an arm of the catalogue on a joint of its own: one more to spare."""
+    said = pieper.load(name).description
+    rows = [pieper.DH(0.2, np.pi / 2, 0.1, 0.0), *said.rows]
+    return pieper.Arm.from_dh(
+        rows, convention=said.convention, joint_types="R" + said.joint_types, limits=[(-1, 1), *said.limits.tolist()]
+    )
+
+
 ARMS = {
     "controller's numbers": lambda: pieper.load("fanuc-lr-mate-200id-controller"),
     "half a turn along": lambda: coupled((2, 1, 0.5)),
@@ -43,6 +52,7 @@ ARMS = {
     "spare at the tool": lambda: pieper.load("franka-panda"),
     "spare at the base": lambda: pieper.load("kuka-lbr-iiwa-7-r800"),
     "spare in the numbers": lambda: pieper.load("dfrobot-rob0036-as-printed"),
+    "two to spare": lambda: on_a_turntable("kuka-lbr-iiwa-7-r800"),
     "a linkage": lambda: pieper.load("dobot-magician"),
     "a linkage that two joints move": lambda: pieper.load("kuka-kr120-r3200-pa"),
 }
@@ -60,7 +70,7 @@ def asked(arm, count):
     q[:, own.fixed] = [own.columns[j] for j in own.fixed]
     T = written_down(np.ascontiguousarray(arm.fk(q)) if own.fixed else exact)
     if own.fixed:
-        T = T[:20]  # what a short arm with a joint to spare cannot hold is looked for a tenth of a second
+        T = T[:30]  # what a short arm with a joint to spare cannot hold is looked for a tenth of a second
     return q[: len(T)], T, arm.ik_many(T, redundancy=q[: len(T), locked] if locked else None)
 
 

@@ -12,6 +12,7 @@ from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.pose import inverse
 from pieper.kinematics.whole_turns import WholeTurns
+from pieper.solver.plan.holding import locked_at
 from pieper.solver.plan.plan import Plan
 from pieper.tolerances import LINKAGE_STARTS
 
@@ -103,36 +104,57 @@ def held_words(own: Between) -> str:
     return f"The arm has joints to spare: {', '.join(fixed)} (rad or m), in every row.\n" if fixed else ""
 
 
-def between(plan: Plan) -> Between:
-    """Return what lies between the joints of a plan and its six.
+def asked_for(plan: Plan) -> int | None:
+    """Return the joint whose value is asked for with each pose: one to spare at an end of the arm; else None."""
+    reduction = plan.reduction
+    alone = len(reduction.locked) == 1 and reduction.at_ends is not None and reduction.locked[0] < plan.n
+    return reduction.locked[0] if alone else None
 
-    One joint that is held at an end of the arm is asked for with each pose. Others stand in the numbers of the six that
-    are left: they are held where the plan holds them when nobody chooses.
+
+def solved_by(plan: Plan) -> Plan:
+    """Return the plan whose six joints a file solves.
+
+    Of axes that a linkage moves all are solved for, as if each moved by itself. Joints to spare that are not asked for
+    are held where the plan holds them when nobody chooses, and the others are an arm of their own.
+
+    Raises:
+        PlanError: What is held is no joint of the arm but a turn of the tool that the task leaves free; or no family
+            takes what is left.
     """
-    chain = plan.chain
-    # of axes that a linkage moves all are solved for, as if each moved by itself
-    solved = plan.uncoupled if chain.linked and plan.uncoupled is not None else plan
-    reduction = solved.reduction
-    real, axes = reduction.real.tolist(), solved.n
-    place = {joint: real[k] for k, joint in enumerate(reduction.kept.tolist())}
-    if any(joint >= axes for joint in reduction.locked):
+    if plan.chain.linked and plan.uncoupled is not None:
+        return plan.uncoupled
+    if not plan.reduction.locked or asked_for(plan) is not None:
+        return plan
+    if any(joint >= plan.n for joint in plan.reduction.locked):
         raise PlanError(
             f"{plan.name}: for {plan.task} its tool turns as it likes ({', '.join(plan.redundancy)}); "
             "a file would hold few of its rows. Ask for the whole pose, or ask arm.ik."
         )
-    fixed = dict(zip(reduction.locked, solved.defaults.tolist(), strict=True))
-    ends = len(reduction.locked) == 1 and reduction.at_ends is not None and reduction.locked[0] < axes
-    held = reduction.locked[0] if ends else None
+    return locked_at(plan, tuple(plan.defaults.tolist()))
+
+
+def between(plan: Plan) -> Between:
+    """Return what lies between the joints of a plan and its six.
+
+    Raises:
+        PlanError: As of `solved_by`.
+    """
+    chain, solved, held = plan.chain, solved_by(plan), asked_for(plan)
+    reduction = solved.reduction
+    # joints of the plan that is solved among the axes, and where they stand among the six
+    of = [j for j in range(chain.axis_count) if j not in plan.reduction.locked or solved is plan]
+    place = {of[j]: int(reduction.real[k]) for k, j in enumerate(reduction.kept.tolist()) if j < len(of)}
+    fixed = dict(zip(plan.reduction.locked, plan.defaults.tolist(), strict=True))
     at_base = held == 0
-    link = chain.links[0 if at_base else axes] if held is not None else np.eye(4)
+    link = chain.links[0 if at_base else plan.n] if held is not None else np.eye(4)
     fill = [(int(j), slides) for j, (_, slides) in zip(reduction.filled, reduction.fill, strict=True)]
+    columns = tuple(place[j] if j in place else None if j == held else fixed[j] for j in range(chain.axis_count))
     own = Between(
-        columns=tuple(None if j == held else fixed[j] if j in fixed else place[j] for j in range(axes)),
+        columns=columns,
         filled=tuple((j, chain.length if slides else 1.0) for j, slides in fill),
         tested=ASKED[plan.task],
-        # what rows miss is told in lengths of the arm whose joints are left
-        weights=_weights(plan, reduction.with_locked(solved.defaults).length) if fill else (),
-        always=bool(fill) or reduction.full.n > axes,
+        weights=_weights(plan, solved.chain.length) if fill else (),
+        always=bool(fill) or plan.reduction.full.n > plan.n,
         held=held,
         at_base=at_base,
         taken_off=inverse(link),

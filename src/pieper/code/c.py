@@ -171,8 +171,8 @@ def _own_parts(export: Export) -> dict[str, str]:
     own = export.between
     held = own.held is not None
     parts = {
-        "SLOTS": str(export.plan.spec.max_solutions),
-        "ROOM": str(max(8, export.plan.spec.max_solutions)),
+        "SLOTS": str(export.solved.spec.max_solutions),
+        "ROOM": str(max(8, export.solved.spec.max_solutions)),
         "LIMITS": ""
         if own.tied is None
         else f"static const double NAME_lower[N] = {C.numbers(export.lower)};\n"
@@ -189,7 +189,7 @@ def _own_parts(export: Export) -> dict[str, str]:
         "POSE": "given" if held else "T",
         "MOVED": _moved(export) if held else "",
         "OWN_ROW": own_row(own),
-        "NEAREST": nearest_of(own, export.plan.chain.length),
+        "NEAREST": nearest_of(own, export.solved.chain.length),
         "BACK": ", back[12]" if own.weights else "",
         "WALKED": "" if own.weights else "      double back[12];\n      NAME_walk(own, back, 0);\n",
         "FILLED": "".join(

@@ -274,7 +274,7 @@ def _between(parts: dict[str, str]) -> str:
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    plan, own = export.plan, export.between
+    plan, own = export.solved, export.between
     family, header = header_of(plan.family)
     numbers, general = numbers_of(plan.spec.geometry)
     six = plan.reduction.six(plan.defaults)
