@@ -18,6 +18,8 @@ from pieper.tolerances import LINKAGE_STARTS
 
 #: The entries of a pose, row by row, that a task asks for.
 ASKED = {"pose": tuple(range(12)), "position": (3, 7, 11), "position+axis": (2, 3, 6, 7, 10, 11)}
+#: Steps of least squares that bring a row to its pose: as many as the library's own.
+STEPS = 6
 
 
 @dataclass(frozen=True, eq=False)

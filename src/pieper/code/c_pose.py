@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pieper.code.between import Between
+from pieper.code.between import STEPS, Between
 from pieper.tolerances import CLOSES, HOLDS_TO_ROUNDING, NEWTON_FINITE
 
 #: The kernels' arctangent (kernels/lanes/math.hpp) without a branch: what is not known beforehand is looked up. A
@@ -63,15 +63,16 @@ NEAREST = """
 static double NAME_nearest(double *q, const double *T, double *P) {
   static const int tested[] = {@ENTRIES_TESTED@};
   static const double weight[] = {@WEIGHTS@};
+  double miss = 0;
   int step, i, j, k;
   for (step = 0;; ++step) {
-    double axes[AXES][6], A[N][N1] = {{0}}, g[N], miss = 0, left, size = 0;
+    double axes[AXES][6], A[N][N1] = {{0}}, g[N], left, size = 0;
 @TO_AXES@    NAME_walk(@V@, P, axes);
-    for (k = 0; k < @ENTRIES@; ++k) {
+    for (miss = 0, k = 0; k < @ENTRIES@; ++k) {
       const double r = weight[k] * (T[tested[k]] - P[tested[k]]);
       miss += r * r;
     }
-    if (step == 3 || miss < @SETTLED@) return sqrt(miss);
+    if (step == @STEPS@ || miss < @SETTLED@) break;
     for (k = 0; k < @ENTRIES@; ++k) {
       const int e = tested[k], c = e % 4, a = (e / 4 + 1) % 3, b = (e / 4 + 2) % 3;
       const double r = weight[k] * (T[e] - P[e]);
@@ -105,6 +106,10 @@ static double NAME_nearest(double *q, const double *T, double *P) {
     size = 2 * @CLOSES@ + @BENDS@ * size * size;
     if (left > size * size) return sqrt(left);
   }
+  for (j = 0; j < N; ++j)
+    if (!@JOINTS_SLIDE@[j])
+      q[j] -= 6.28318530717958647693 * ceil((q[j] - 3.14159265358979323846) / 6.28318530717958647693);
+  return sqrt(miss);
 }
 """
 
@@ -125,6 +130,7 @@ def nearest_of(own: Between, length: float) -> str:
             f"      D[{j}] = {sum_};\n" for j, sum_ in enumerate(own.sums(own.gears.T, "by[{}]".format))
         )
     said = {
+        "STEPS": str(STEPS),
         "TO_AXES": "    double v[AXES];\n    NAME_axes(q, v);\n" if own.linked else "",
         "V": "v" if own.linked else "q",
         "BY": ", by[AXES]" if own.linked else "",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pieper.code.between import Between, held_words
+from pieper.code.between import STEPS, Between, held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import USUAL, Language, counted, filled, functions
@@ -191,11 +191,14 @@ function selfTest() {
 NEAREST = """// Least squares: q becomes the joint vector whose pose comes nearest to T; by how much it misses.
 function nearest(q, T) {
   const tested = @TESTED@, weights = @WEIGHTS@;
-  for (let step = 0; ; ++step) {
+  for (let step = 0, moved = 1; ; ++step) {
     const axes = [], P = walk(@BACK_AT@, (i, F) => axes.push([F[2], F[6], F[10], F[3], F[7], F[11]]));
     const r = tested.map((e, k) => weights[k] * (T[e] - P[e]));
     const miss = r.reduce((sum, x) => sum + x * x, 0);
-    if (step === 3 || miss < @SETTLED@) return Math.sqrt(miss);
+    if (step === @STEPS@ || moved < @ROUNDING@ || miss < @SETTLED@) {
+      q.forEach((x, j) => (q[j] = @JOINTS_SLIDE@[j] ? x : x - TURN * Math.ceil((x - Math.PI) / TURN)));
+      return Math.sqrt(miss);
+    }
     const @OF_AXES@ = axes.map((z, j) => tested.map((e, k) => {
       const c = e % 4, o = c === 3 ? 1 : 0, i = (e - c) / 4, a = (i + 1) % 3, b = (i + 2) % 3;
       const turned = z[a] * (P[4 * b + c] - o * z[3 + b]) - z[b] * (P[4 * a + c] - o * z[3 + a]);
@@ -208,9 +211,11 @@ function nearest(q, T) {
         const by = A[k][i] / A[i][i];
         for (let j = i; j <= N; ++j) A[k][j] -= by * A[i][j];
       }
+    moved = 0;
     for (let i = N - 1; i >= 0; --i) {
       for (let j = i + 1; j < N; ++j) A[i][N] -= A[i][j] * A[j][N];
       q[i] += A[i][N] /= A[i][i];
+      moved = Math.max(moved, Math.abs(A[i][N]));
     }
   }
 }
@@ -301,6 +306,9 @@ def _nearest(export: Export) -> str:
         "WEIGHTS": str(list(own.weights)),
         "DAMPED": repr(NEWTON_FINITE),
         "SETTLED": repr(HOLDS_TO_ROUNDING**2),
+        "ROUNDING": repr(HOLDS_TO_ROUNDING),
+        "STEPS": str(STEPS),
+        "JOINTS_SLIDE": "JOINTS_SLIDE" if own.linked else "SLIDES",
         "BACK_AT": "axesAt(q)" if own.linked else "q",
         "OF_AXES": "by" if own.linked else "D",
         "BY_JOINTS": by_joints if own.linked else "",

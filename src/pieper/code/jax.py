@@ -15,11 +15,15 @@ def _nearest(q, Ts):
 
     def one(q, T):
         miss = lambda q: weights * (T - _walk(q@AT_AXES@)).ravel()[tested]
-        for _ in range(3):
+
+        def step(_, q):
             D = -jax.jacfwd(miss)(q)@HOLDING@
             A = D.T @ D
-            q = q + jnp.linalg.solve(A + @DAMPED@ * jnp.trace(A) * jnp.eye(len(q)), D.T @ miss(q))
-        return q, jnp.sqrt((miss(q) ** 2).sum())
+            return q + jnp.linalg.solve(A + @DAMPED@ * jnp.trace(A) * jnp.eye(len(q)), D.T @ miss(q))
+
+        q = jax.lax.fori_loop(0, @STEPS@, step, q)
+        turned = q - _TURN * jnp.ceil((q - jnp.pi) / _TURN)
+        return jnp.where(@JOINTS_SLIDE@, q, turned), jnp.sqrt((miss(q) ** 2).sum())
 
     return jax.vmap(jax.vmap(one, (0, None)))(q, Ts)
 

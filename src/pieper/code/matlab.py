@@ -5,13 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from pieper.code.between import held_words
+from pieper.code.between import STEPS, held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions
 from pieper.code.matlab_many import IK_MANY, INSIDE, MOVE, ROWS
 from pieper.code.program import LoopWords
-from pieper.tolerances import CLOSES, FILLED_STARTS
+from pieper.tolerances import CLOSES, FILLED_STARTS, HOLDS_TO_ROUNDING
 
 
 class Matlab(Language):
@@ -69,19 +69,22 @@ function [q, miss] = nearest(q, T)
   % least squares: the joint vector whose pose comes nearest to T; by how much it misses
   tested = @TESTED@;
   weights = @WEIGHTS@';
-  for step = 0:3
+  for step = 0:@STEPS@
     [P, J] = NAME_fk(q@AS_AXES@);
     r = (T - P)';
     r = weights .* r(tested)';
     miss = norm(r);
-    if step == 3, break; end
+    if step == @STEPS@ || (step > 0 && max(abs(move)) < @SETTLED@), break; end
     D = zeros(numel(tested), numel(q));
     for j = 1:numel(q)
       way = [cross(repmat(J(4:6, j), 1, 3), P(1:3, 1:3)), J(1:3, j); 0 0 0 0]';
       D(:, j) = weights .* way(tested)';
     end
-@FIXED@    q = q + (pinv(D) * r)';
+@FIXED@    move = (pinv(D) * r)';
+    q = q + move;
   end
+  turns = ~logical(@JOINTS_SLIDE@);
+  q(turns) = q(turns) - 2 * pi * ceil((q(turns) - pi) / (2 * pi));
 end
 """
 #: Of axes that a linkage moves: rows (m, axes) become joint vectors.
@@ -230,6 +233,7 @@ def _own_parts(export: Export) -> dict[str, str]:
     columns = ", ".join(own.axes(lambda column: f"rows(m, {column + 1})"))
     # rows of a linkage are joint vectors at once, others become some when all of them are known
     as_axes = ", true" if coupled and not own.linked else ""
+    slides = MATLAB.listed(MATLAB.truths[int(s)] for s in export.joints_slide)
     zero = "".join(
         f"    if abs(rows(m, {k + 1})) >= {FILLED_STARTS * unit!r}, continue; end\n" for k, unit in own.filled
     )
@@ -249,6 +253,9 @@ def _own_parts(export: Export) -> dict[str, str]:
         "NEAREST": NEAREST.replace("@TESTED@", str([k + 1 for k in own.tested]))
         .replace("@WEIGHTS@", str(list(own.weights)))
         .replace("@AS_AXES@", as_axes)
+        .replace("@STEPS@", str(STEPS))
+        .replace("@SETTLED@", repr(HOLDS_TO_ROUNDING))
+        .replace("@JOINTS_SLIDE@", slides)
         .replace("@FIXED@", f"    D(:, {[j + 1 for j in own.fixed]}) = 0;\n" if own.fixed else "")
         if own.weights
         else "",
@@ -258,7 +265,7 @@ def _own_parts(export: Export) -> dict[str, str]:
         .replace("SLIDES", MATLAB.listed(MATLAB.truths[int(s)] for s in export.slides))
         if own.linked
         else "",
-        "JOINTS_SLIDE": MATLAB.listed(MATLAB.truths[int(s)] for s in export.joints_slide),
+        "JOINTS_SLIDE": slides,
         "AT_AXES": f" * ({gears})'" if own.linked else "",
         "DOUBT": "true" if own.always else "unclear",
         "TESTED": "[" + " ".join(str(k + 1) for k in own.tested) + "]",

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from pieper.code.between import Between, held_words
+from pieper.code.between import STEPS, Between, held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions, quoted
 from pieper.code.program import LoopWords
-from pieper.tolerances import CLOSES, FILLED_STARTS, NEWTON_FINITE
+from pieper.tolerances import CLOSES, FILLED_STARTS, HOLDS_TO_ROUNDING, NEWTON_FINITE
 
 
 def while_any_moves(loop: LoopWords) -> list[str]:
@@ -153,18 +153,25 @@ NEAREST = """
 def _nearest(q, Ts):
     # least squares: joint vectors (k, 8, n) whose poses come nearest to those asked for; by how much each misses
     tested, weights, point = @TESTED@, np.array(@WEIGHTS@), np.array([0.0, 0.0, 0.0, 1.0])[:, None]
-    for step in range(4):
-        frames, P = _walk(q@AT_AXES@)
-        r = weights * (Ts[:, None] - P).reshape(*q.shape[:2], 16)[..., tested]
-        if step == 3:
-            return q, np.sqrt((r * r).sum(-1))
+    shape, q, Ts = q.shape, q.reshape(-1, q.shape[-1]).copy(), np.repeat(Ts, q.shape[1], 0)
+    miss, go = np.zeros(len(q)), np.arange(len(q))
+    for step in range(@STEPS@ + 1):
+        frames, P = _walk(q[go]@AT_AXES@)
+        r = weights * (Ts[go] - P).reshape(-1, 16)[:, tested]
+        miss[go] = np.sqrt((r * r).sum(-1))
+        if step == @STEPS@ or not len(go):
+            break
         z, p = frames[..., None, :3, 2], frames[..., None, :3, 3]
         columns = np.swapaxes(P[..., None, :3, :], -1, -2)
         way = np.where(SLIDES[:, None, None], point * z, np.cross(z, columns - point * p))
         D = @BY_JOINTS@weights * np.swapaxes(way, -1, -2).reshape(*way.shape[:-2], 12)[..., tested]@END@
 @FIXED@        A = D @ np.swapaxes(D, -1, -2)
         A = A + @DAMPED@ * np.trace(A, axis1=-2, axis2=-1)[..., None, None] * np.eye(q.shape[-1])
-        q = q + np.linalg.solve(A, D @ r[..., None])[..., 0]
+        move = np.linalg.solve(A, D @ r[..., None])[..., 0]
+        q[go] += move
+        go = go[np.abs(move).max(-1) > @SETTLED@]
+    q = np.where(@JOINTS_SLIDE@, q, q - _TURN * np.ceil((q - np.pi) / _TURN))
+    return q.reshape(shape), miss.reshape(shape[:-1])
 
 """
 
@@ -180,7 +187,9 @@ def nearest_of(own: Between, frame: str) -> str:
         "@HOLDING@", f".at[:, np.array({own.fixed})].set(0.0)" if own.fixed else ""
     )
     text = text.replace("@BY_JOINTS@", by).replace("@END@", end).replace("@AT_AXES@", " @ _GEARS.T" * own.linked)
-    return text.replace("@DAMPED@", repr(NEWTON_FINITE))
+    slide = "_JOINTS_SLIDE" if own.linked else "SLIDES_"
+    text = text.replace("@STEPS@", str(STEPS)).replace("@SETTLED@", repr(HOLDS_TO_ROUNDING))
+    return text.replace("@JOINTS_SLIDE@", slide).replace("@DAMPED@", repr(NEWTON_FINITE))
 
 
 #: What a matrix means as a pose; the same for every module of arrays.
