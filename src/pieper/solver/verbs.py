@@ -362,12 +362,12 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
         return far[0]
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))
-    motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults, ik)
+    some = True
     if asked.free and not np.count_nonzero(inside):
-        rows, kind = choose_elsewhere(plan, T[None], rows, 1)
+        rows, (some,) = choose_elsewhere(plan, T[None], rows, 1)
         q, slots, inside, there = rows.of(0)
-        motions = motions if kind[0] else ()
         flag = there | (flag & _ROUNDED)
+    motions = partial(self_motions_of, plan, T, plan.defaults, ik, q) if some else ()
     if asked.free and np.count_nonzero(inside):
         flag &= ~_UNCERTAIN  # of rows at a value that nobody chose nobody was told that they are all
     return Solutions(asked.plan, WORDS, T, q, slots, inside, int(flag) & ~(_DEGENERATE | _EDGE), self_motions=motions)

@@ -9,6 +9,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.newton import missed, newton, newton_on_plane, null_space, singular_values
+from pieper.solver.singular.beside_curve import one_free
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import (
@@ -68,13 +69,23 @@ def trace(
         The SelfMotion; bounded by `most_steps`.
     """
     set_out = null_space(chain, q)[1][-1] if direction is None else direction
-    forward, closed = _walk(chain, q, T, set_out, most_steps)
-    samples = forward
-    if not closed:
-        backward, _ = _walk(chain, q, T, -set_out, most_steps)
-        samples = np.concatenate([backward[:0:-1], forward])
+    samples, closed = _both_ways(chain, q, T, set_out, most_steps)
+    if not closed and direction is None and one_free(chain):
+        # where curves cross, the way to set out is known badly: begun where it is known best they close
+        best = samples[int(np.argmax(second_smallest(chain, samples)))]
+        again, closed = _both_ways(chain, best, T, null_space(chain, best)[1][-1], most_steps)
+        samples = again if closed else samples
     arm_joints = chain.n if shown is None else shown
     return TracedMotion(chain, T, samples, closed, _dimension(chain, T, samples), limits, names, arm_joints)
+
+
+def _both_ways(chain: Chain, q: Array, T: Array, direction: Array, most_steps: int) -> tuple[Array, bool]:
+    """Return the points (k, n) of the curve through q (n,), followed both ways where it does not close, and whether."""
+    forward, closed = _walk(chain, q, T, direction, most_steps)
+    if closed:
+        return forward, True
+    backward, _ = _walk(chain, q, T, -direction, most_steps)
+    return np.concatenate([backward[:0:-1], forward]), False
 
 
 def _dimension(chain: Chain, T: Array, samples: Array) -> int:
