@@ -25,6 +25,7 @@ from pieper.tolerances import (
     CURVE_RANK,
     CURVE_STEP,
     JOINT_TURNS,
+    NEWTON_CUTOFF,
     NO_LENGTH,
     ONE_OF_MANY,
     SAME_VOUCHED,
@@ -101,6 +102,12 @@ class SelfMotion:
             return self.names.index(joint)
         return arguments.whole(joint, "joint", 0, self.shown - 1)
 
+    @cached_property
+    def rank(self) -> float:
+        """Directions weaker than this part of the strongest are left alone in a step back onto the curve."""
+        # of seven joints one is free, and the next may be as weak as all along a curve a thousandth of a radian across
+        return NEWTON_CUTOFF if self.dimension == 1 and one_free(self.chain) else CURVE_RANK
+
     def gaps(self, q: Array, points: Array) -> Array:
         """Return q - points without units, angles around the circle, virtual joints not counted."""
         return np.where(self._virtual, 0.0, self.chain.joints.difference(q, points))
@@ -145,7 +152,7 @@ class SelfMotion:
 
     def point(self, u: float) -> Array:
         """Return the same with the task's virtual joints behind."""
-        return newton(self.chain, self.between(np.array([u]))[0], self.T, steps=6, cutoff=CURVE_RANK)
+        return newton(self.chain, self.between(np.array([u]))[0], self.T, steps=6, cutoff=self.rank)
 
     def at_joint(self, joint: int | str, value: float) -> Array:
         """Return the points (m, n) of the curve where a joint (0-based) has a value, whole turns apart from it counted.
