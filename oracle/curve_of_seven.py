@@ -1,4 +1,4 @@
-"""A slow tracer of what seven turning joints leave free at a pose: Newton's method bordered by the tangent, short steps.
+"""A slow tracer of what seven turning joints leave free at a pose: Newton's method bordered by the tangent.
 
 Nothing is shared with the package but the forward kinematics that is handed in.
 """

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -41,9 +41,6 @@ from pieper.solver.words.labels import labels_beside, posture_words
 from pieper.solver.words.table import table
 from pieper.solver.words.why import why
 from pieper.tolerances import FARTHEST
-
-if TYPE_CHECKING:
-    from pieper.solver.singular.self_motion import SelfMotion
 
 # what looks with care, or along spare joints, is imported when it is needed: most calls never do
 WORDS = Words(why, table, posture_words, labels_beside, closest_to)

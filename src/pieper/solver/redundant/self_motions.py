@@ -22,7 +22,16 @@ from pieper.solver.results import Solutions
 from pieper.solver.singular.beside_curve import on_followed, one_free
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
-from pieper.tolerances import CLOSES, HOLDS, PRECISE_RANK, SEED_CROSSED, SEED_DOUBTFUL, SEED_IS_ON, SEED_ON_CURVE, SEED_ON_POLYLINE
+from pieper.tolerances import (
+    CLOSES,
+    HOLDS,
+    PRECISE_RANK,
+    SEED_CROSSED,
+    SEED_DOUBTFUL,
+    SEED_IS_ON,
+    SEED_ON_CURVE,
+    SEED_ON_POLYLINE,
+)
 
 #: Starts from which the pose is approached freely, besides the sweep.
 STARTS = 96
@@ -123,14 +132,14 @@ def _across(line: SelfMotion, seeds: Array) -> SelfMotion:
 
 
 def _onto(full: Chain, T: Array, seeds: Array) -> Array:
-    """Return those of the seeds (m, n) that hold the pose to rounding, moved there: what only nearly does lies off it."""
+    """Return those seeds (m, n) that hold the pose to rounding, moved there: what nearly does lies off it."""
     on = newton(full, seeds, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
     held = missed(full, on, T) < HOLDS
     return on[held] if held.any() else seeds
 
 
 def _regular_first(full: Chain, seeds: Array) -> Array:
-    """Return seeds (m, n) with those behind at which curves nearly cross: there it is known badly which way one goes."""
+    """Return seeds (m, n), last those where curves nearly cross: which way one goes is known badly there."""
     return seeds[np.argsort(at_least_as_strong(full, seeds) < SEED_CROSSED, kind="stable")]
 
 
