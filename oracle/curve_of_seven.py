@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import numpy as np
 
-#: Longest and shortest step (rad), and how far it goes straight on where another curve crosses.
-LONGEST, SHORTEST, ACROSS = 0.1, 1e-9, 3e-6
+#: Longest and shortest step (rad), and how far it goes straight on where another curve crosses: those that are nearly
+#: tangent to each other part only there.
+LONGEST, SHORTEST, ACROSS = 0.05, 1e-9, 1e-5
 
 
 def around(x):
@@ -66,6 +67,7 @@ def followed(forward, chain, q, T, *, most=20000):
             if step < SHORTEST:
                 return np.array(points), False, length
             continue
+        assert p is not None
         points.append(p)
         size = float(np.linalg.norm(p - here))
         length += size

@@ -25,6 +25,8 @@ constexpr double kPast = 1.1;         // and so far ahead
 struct Follower : Posture {
   Rigid goal;
   SingularRows rows;
+  int order[6];
+  double strength[6];
 
   Follower(const PlainChain& chain, const double* T) : Posture(chain), goal(read_rigid(T, length)) {}
 
@@ -57,26 +59,33 @@ struct Follower : Posture {
   double tangent(const double* q, const double* travel, double* out) {
     stand(q);
     rows.take(*this, nullptr, nullptr);
-    int order[6] = {0, 1, 2, 3, 4, 5};
-    double s[6];
-    for (int i = 0; i < 6; ++i) s[i] = size_of(rows.row(i), n);
-    std::sort(order, order + 6, [&](int a, int b) { return s[a] > s[b]; });
+    for (int i = 0; i < 6; ++i) order[i] = i, strength[i] = size_of(rows.row(i), n);
+    std::sort(order, order + 6, [&](int a, int b) { return strength[a] > strength[b]; });
     // of six joints or fewer the weakest direction is the curve's, however strong
-    const int ways = std::min(n, 6);
-    double free = (one_free() ? kFollowNone : kFollowFree) * s[order[0]];
-    if (n <= 6) free = std::fmax(free, s[order[ways - 1]] * (1 + kFollowAlike));
+    const double most = strength[order[0]], weakest = strength[order[std::min(n, 6) - 1]];
+    double free = (one_free() ? kFollowNone : kFollowFree) * most;
+    if (n <= 6) free = std::fmax(free, weakest * (1 + kFollowAlike));
+    left_free(free, travel, out);
+    return weakest / most;
+  }
+
+  // The same where the weakest direction is free too, as it is where curves cross.
+  void straight_on(const double* travel, double* out) { left_free(strength[order[5]], travel, out); }
+
+  // What is left of the way of travel without the directions that are stronger than `free`.
+  void left_free(double free, const double* travel, double* out) {
     std::copy(travel, travel + n, out);
-    for (int i = 0; i < ways; ++i) {
-      if (s[order[i]] <= free) break;
+    for (int i = 0; i < std::min(n, 6); ++i) {
+      const double s = strength[order[i]];
+      if (s <= free) break;
       const double* row = rows.row(order[i]);
-      const double part = dot_of(row, out, n) / (s[order[i]] * s[order[i]]);
+      const double part = dot_of(row, out, n) / (s * s);
       for (int k = 0; k < n; ++k) out[k] -= part * row[k];
     }
     const double size = size_of(out, n);
     if (size > kFollowLost)
       for (int k = 0; k < n; ++k) out[k] /= size;
     else std::copy(travel, travel + n, out);
-    return s[order[ways - 1]] / s[order[0]];
   }
 
   // On which side of a crossing the curve is that goes along `along` where the arm stands: of seven joints the sign of the
@@ -183,10 +192,11 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
         // the weakest direction fades and grows in proportion to the way to a crossing, and rounding blurs the points there
         bend = (across ? there + weakest : std::fabs(there - weakest)) / went;
         hidden = there * there < kFollowBlur * bend;
+        if (hidden) arm.straight_on(along.data(), next.data());
         good = hidden || turned > kTurned;
       }
     }
-    if (good && across && !hidden) {
+    if (good && (across || hidden)) {
       // another curve passes, or crosses: only what does so within next to nothing is gone straight across
       good = step * step * bend < kFollowAcross * kFollowBlur;
     }
@@ -206,12 +216,12 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
           (size < kFollowHome || std::fabs(dot_of(move.data(), next.data(), n)) > kAlong * size))
         return close();
     }
-    here = ahead, crossing = hidden;
+    here = ahead, along = next, crossing = hidden;
     if (hidden) {
-      step = std::fmax(step, kLeap * std::sqrt(kFollowBlur / bend));
+      step = std::fmin(how.step, std::fmax(step, kLeap * std::sqrt(kFollowBlur / bend)));
       continue;
     }
-    along = next, weakest = there;
+    weakest = there;
     if (now) side = now;
     step = std::fmin(how.step, step * (one_free && turned > kStraight ? kLeap : kGrow));
   }

@@ -19,7 +19,7 @@ from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.surface import as_one
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
 from pieper.solver.results import Solutions
-from pieper.solver.singular.beside_curve import on_followed, one_free
+from pieper.solver.singular.beside_curve import is_known_exactly, on_followed, one_free
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
 from pieper.tolerances import (
@@ -52,6 +52,8 @@ SURFACE_WAY = 0.618
 SLOW_STEPS = 40
 #: Samples of a curve, few and then more, that are all on another which holds it.
 COMPARED = 4, 40
+#: How often a curve is followed anew that has turned into a line which it crosses.
+BEGUN_ANEW = 8
 #: Seeds whose distances to a curve are taken at once: it bounds the memory.
 CHUNK = 256
 
@@ -87,10 +89,11 @@ def self_motions_of(
         if not any(coaxial.joined(other, point[None])[0] for other in motions):
             line = trace(full, point, T, plan.full_limits, plan.full_names, way, shown=plan.n)
             motions.append(_across(line, seeds) if line.dimension > 1 else line)
-    if motions:
+    lines = list(motions)
+    if lines:
         # where solutions merge on a line, others are met beside it, as far as the root of what they miss the pose by
         seeds = newton(full, seeds, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
-        for motion in motions:
+        for motion in lines:
             seeds = seeds[~(on_curve(motion, seeds) | coaxial.joined(motion, seeds))]
     # a surface (of several spare joints, or of a singular pose) has no list of curves: one line through each solution
     # shows the way, and `dimension` says the rest
@@ -102,6 +105,8 @@ def self_motions_of(
     while len(seeds) and len(motions) < most and traced < MOST_SAMPLES:
         motion = trace(full, seeds[0], T, plan.full_limits, plan.full_names, shown=plan.n, most_steps=steps)
         seeds = seeds[1:]
+        if any(_covers(motion, line) for line in lines):
+            motion = _off_lines(motion, lines)
         if motion.dimension == 1:
             motions = [other for other in motions if not _covers(motion, other)]
         motions.append(motion)
@@ -196,6 +201,21 @@ def _holding(plan: Plan, T: Array, found: Solved | Sweep) -> Array:
     return rows[missed(plan.exact.full, rows, T) < CLOSES]
 
 
+def _off_lines(motion: SelfMotion, lines: list[SelfMotion]) -> SelfMotion:
+    """Return a curve that has turned into a line which it crosses, followed anew from where it does not.
+
+    Where a curve runs all but along a line to the place at which it crosses it, rounding decides which of the two is
+    gone on: not so from wherever one comes.
+    """
+    off = motion.samples[~np.logical_or.reduce([on_curve(line, motion.samples) for line in lines])]
+    limits, names, shown = motion.limits, motion.names, motion.shown
+    for start in off[np.linspace(0, len(off) - 1, BEGUN_ANEW).astype(int)] if len(off) else off:
+        again = trace(motion.chain, start, motion.T, limits, names, shown=shown)
+        if again.closed and not any(_covers(again, line) for line in lines):
+            return again
+    return motion
+
+
 def _covers(motion: SelfMotion, other: SelfMotion) -> bool:
     """Whether a curve holds another: one that was begun anew where the other had been left."""
     if other.dimension > 1 or not one_free(motion.chain):
@@ -206,7 +226,7 @@ def _covers(motion: SelfMotion, other: SelfMotion) -> bool:
 
 def on_curve(motion: SelfMotion, seeds: Array) -> Bools:
     """Return which of the seeds (m, n) lie on a traced curve."""
-    if one_free(motion.chain) and motion.dimension == 1:
+    if motion.dimension == 1 and is_known_exactly(motion.chain, motion.samples):
         return on_followed(motion.chain, motion.T, motion.samples, seeds, motion.closed, SEED_IS_ON)
     parts = [motion.distances(seeds[i : i + CHUNK]) for i in range(0, len(seeds), CHUNK)]
     away = np.concatenate(parts) if parts else np.zeros(0)

@@ -10,13 +10,15 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import pose_difference, scaled_jacobian
-from pieper.tolerances import FOLLOW_NONE, ON_CURVE, TINY
+from pieper.kinematics.newton import pose_difference, scaled_jacobian, singular_values
+from pieper.tolerances import CLOSES, FOLLOW_EXACT, FOLLOW_NONE, LED_AWAY, ON_CURVE, SAME_VOUCHED, TINY
 
 #: So many stretches of a curve are looked at that come near a posture: one that bends back may pass it twice.
 STRETCHES = 3
+#: Samples of a curve at which it is asked whether solutions merge all along it.
+LOOKED_AT = 5
 #: Steps of Newton's method within a plane, from a cubic through four samples.
-STEPS = 6
+STEPS, LONGEST = 6, 0.1
 #: A curve is no farther from a chord than this part of the chord's length.
 SAG = 0.25
 #: Postures whose distances to a curve are taken at once: it bounds the memory.
@@ -26,6 +28,16 @@ CHUNK = 256
 def one_free(chain: Chain) -> bool:
     """Whether what holds a pose is a curve wherever it is regular: seven joints, none of which moves others."""
     return chain.n == 7 and chain.coupling is None
+
+
+def is_known_exactly(chain: Chain, samples: Array) -> bool:
+    """Whether a curve (k, n) is one of an arm of which `one_free` holds, and solutions do not merge all along it.
+
+    Where they do, as with an elbow stretched between axes in one line, it is known to half the digits only.
+    """
+    some = samples[np.linspace(0, len(samples) - 1, LOOKED_AT).astype(int)]
+    s = singular_values(chain, some) if one_free(chain) else np.zeros((1, 6))
+    return bool(np.any(s[:, 5] > FOLLOW_NONE * s[:, 0]))
 
 
 def on_followed(chain: Chain, T: Array, samples: Array, q: Array, closed: bool, within: float) -> Bools:
@@ -81,7 +93,7 @@ def _stretches(chain: Chain, samples: Array, q: Array, within: float) -> tuple[I
     lowest = np.minimum(np.roll(away, 1, 1), np.roll(away, -1, 1))
     lowest[:, 0], lowest[:, -1] = away[:, 1 % away.shape[1]], away[:, -2 % away.shape[1]]
     # a chord is no farther from the curve than a part of its own length
-    near = (away <= lowest) & (away < within + SAG * np.sqrt(square))
+    near = (away <= lowest) & (away < SAME_VOUCHED + within + SAG * np.sqrt(square))
     away = np.where(near, away, np.inf)
     best = np.argsort(away, axis=1)[:, :STRETCHES]
     which, slot = np.nonzero(np.isfinite(np.take_along_axis(away, best, 1)))
@@ -106,10 +118,19 @@ def _meets(chain: Chain, T: Array, place: _Place, q: Array, within: float) -> Bo
         A = np.concatenate([scaled_jacobian(chain, point), along[:, None]], 1)
         step = _solved(A, np.concatenate([e, off[:, None]], 1))
         size = np.linalg.norm(step, axis=1, keepdims=True)
-        point = point + step * np.minimum(1.0, 0.1 / np.maximum(size, TINY)) * unit
-        if size.max() < within / 10 and held.max() < ON_CURVE:
+        # where solutions merge all along a curve what is missed is rounding, and steps made of it lead away
+        size[(held < ON_CURVE) & (np.abs(off) < within) & (size[:, 0] > LED_AWAY)] = np.inf
+        step *= np.minimum(1.0, LONGEST / np.maximum(size, TINY))
+        point = point + step * unit
+        if np.abs(step).max() < within / 10 and held.max() < ON_CURVE:
             break
-    near = np.linalg.norm((q - point) / unit, axis=1) <= within
+    away = np.linalg.norm((q - point) / unit, axis=1)
+    # a double root is known to half the digits: it counts from where the pose is missed ever less on the way to the curve
+    blurred = np.flatnonzero((away > within) & (away < SAME_VOUCHED))
+    ways = q[blurred] - point[blurred]
+    missed_by = [np.linalg.norm(pose_difference(chain, point[blurred] + k * ways, T), axis=1) for k in (1.0, 0.5)]
+    near = away <= within
+    near[blurred] = (missed_by[0] < CLOSES) & (missed_by[1] <= np.maximum(missed_by[0], FOLLOW_EXACT))
     if not near.any():
         return near
     held = np.linalg.norm(pose_difference(chain, point, T), axis=1)

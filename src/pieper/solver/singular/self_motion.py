@@ -16,7 +16,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import checked_joint_vector, checked_weights
 from pieper.kinematics.joints import TURN, inside, short_way
 from pieper.kinematics.newton import missed, newton, null_space
-from pieper.solver.singular.beside_curve import on_followed, one_free
+from pieper.solver.singular.beside_curve import is_known_exactly, on_followed, one_free
 from pieper.solver.singular.relation import related
 from pieper.tolerances import (
     CLOSED_TURN,
@@ -315,7 +315,7 @@ class SelfMotion:
     def _contains(self, q: Array, tolerance: float) -> bool:
         if self.dimension == 1 and self.distance(q) > 0.05:
             return False
-        if self.dimension == 1 and self.shown == self.chain.n and one_free(self.chain):
+        if self.dimension == 1 and self.shown == self.chain.n and is_known_exactly(self.chain, self.samples):
             return bool(on_followed(self.chain, self.T, self.samples, q[None], self.closed, tolerance)[0])
         sizes = np.linalg.norm(self.gaps(q, self.samples), axis=1)
         nearest = self.samples[int(np.argmin(sizes))]
