@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -41,9 +41,6 @@ from pieper.solver.words.labels import labels_beside, posture_words
 from pieper.solver.words.table import table
 from pieper.solver.words.why import why
 from pieper.tolerances import FARTHEST
-
-if TYPE_CHECKING:
-    from pieper.solver.singular.self_motion import SelfMotion
 
 # what looks with care, or along spare joints, is imported when it is needed: most calls never do
 WORDS = Words(why, table, posture_words, labels_beside, closest_to)
@@ -362,12 +359,12 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
         return far[0]
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))
-    motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults, ik)
+    some = True
     if asked.free and not np.count_nonzero(inside):
-        rows, kind = choose_elsewhere(plan, T[None], rows, 1)
+        rows, (some,) = choose_elsewhere(plan, T[None], rows, 1)
         q, slots, inside, there = rows.of(0)
-        motions = motions if kind[0] else ()
         flag = there | (flag & _ROUNDED)
+    motions = partial(self_motions_of, plan, T, plan.defaults, ik, q) if some else ()
     if asked.free and np.count_nonzero(inside):
         flag &= ~_UNCERTAIN  # of rows at a value that nobody chose nobody was told that they are all
     return Solutions(asked.plan, WORDS, T, q, slots, inside, int(flag) & ~(_DEGENERATE | _EDGE), self_motions=motions)
