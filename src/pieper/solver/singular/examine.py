@@ -16,12 +16,14 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import missed, newton, null_space, singular_values
+from pieper.kinematics.newton import missed, newton, null_space, singular_values, size_of
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.singular import near_curve
 from pieper.solver.singular.at_limits import LINE_STEPS, at_limits, drawn_in, leads_away, met_inside, way_of_slides
 from pieper.solver.singular.examined import Examined, told
+from pieper.solver.singular.in_one_line import LineMotion
 from pieper.solver.singular.line_of_slides import SlideLine
+from pieper.solver.singular.meetings import meetings, put_in_line
 from pieper.solver.singular.merged_roots import all_into_limits, distinct_roots, merged_root
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
@@ -81,6 +83,9 @@ class _Curves:
     def meet(self, q: Array, within: float) -> bool:
         return any(motion.distance(q) < within for motion in self.closed)
 
+    def on_line(self, q: Array) -> bool:
+        return any(isinstance(motion, LineMotion) and motion.distance(q) < ON_POLYLINE for motion in self.closed)
+
 
 def examine(
     chain: Chain,
@@ -121,6 +126,8 @@ def examine(
     # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
     starts = np.concatenate([singular, _distinct(chain, np.concatenate([near_singular, flat]), APART_SINGULAR)])
     starts = np.array([drawn_in(chain, q, T) for q in starts]).reshape(-1, chain.n)
+    for q in singular:
+        _lines_through(curves, q)
     doubles, hidden = _followed(curves, starts, len(singular))
     extra = np.array([*hidden, *near_singular]).reshape(-1, chain.n)
     extra = newton(chain, extra, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
@@ -224,6 +231,9 @@ def _grow(curves: _Curves, q: Array) -> bool:
             further = step_along(chain, point, T, direction, PROBE)
             if further is None:
                 continue
+            if curves.on_line(further):
+                found = True
+                continue
             if second_smallest(chain, further) < OPEN_DIRECTION:
                 # a surface has no list of curves: a few lines on it show the way, and `dimension` says the rest
                 found = True
@@ -245,6 +255,23 @@ def _grow(curves: _Curves, q: Array) -> bool:
             curves.closed.append(motion)
             waiting += crossings(motion)
     return found
+
+
+def _lines_through(curves: _Curves, q: Array) -> None:
+    """Add the lines of two joints that come to turn about one line at a row, and what crosses them.
+
+    Where branches merge as well more than two directions are free to first order, and the line is a mixture of all.
+    """
+    chain, T = curves.chain, curves.T
+    for at in meetings(chain):
+        through = put_in_line(chain, at, q, T)
+        if through is None or any(motion.distance(through) < ISOLATED_FROM_CURVE for motion in curves.closed):
+            continue
+        pair = at.between - 1, at.between + 1
+        line = LineMotion(chain, T, curves.limits, curves.names, curves.shown, through, pair, at.sense)
+        curves.closed.append(line)
+        for crossing in crossings(line):
+            _grow(curves, crossing)
 
 
 def _slides(curves: _Curves, point: Array, further: Array) -> SlideLine | None:
@@ -286,11 +313,6 @@ def _directions(chain: Chain, q: Array) -> list[Array]:
     fan = [np.cos(t) * null[0] + np.sin(t) * null[1] for t in angles]
     # a curve's own tangent at a crossing is found by Newton from the nearest of the fan
     return [*null, *fan]
-
-
-def size_of(chain: Chain, T: Array) -> float:
-    """Return how much larger than one the numbers are that forward kinematics rounds."""
-    return 1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length
 
 
 @lru_cache(maxsize=8)
