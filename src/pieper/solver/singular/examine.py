@@ -126,8 +126,6 @@ def examine(
     # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
     starts = np.concatenate([singular, _distinct(chain, np.concatenate([near_singular, flat]), APART_SINGULAR)])
     starts = np.array([drawn_in(chain, q, T) for q in starts]).reshape(-1, chain.n)
-    for q in singular:
-        _lines_through(curves, q)
     doubles, hidden = _followed(curves, starts, len(singular))
     extra = np.array([*hidden, *near_singular]).reshape(-1, chain.n)
     extra = newton(chain, extra, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
@@ -185,6 +183,8 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
             hidden += _hiding(curves, q)
         if not on_curve and index < own:
             doubles.append(q)
+    known = [curves.lines > 0 or curves.meet(q, DOUBLES_FROM_CURVE) for q in doubles]
+    doubles = [q for q, some in zip(doubles, known, strict=True) if some or not _lines_through(curves, q)]
     return doubles, hidden
 
 
@@ -257,21 +257,25 @@ def _grow(curves: _Curves, q: Array) -> bool:
     return found
 
 
-def _lines_through(curves: _Curves, q: Array) -> None:
-    """Add the lines of two joints that come to turn about one line at a row, and what crosses them.
+def _lines_through(curves: _Curves, q: Array) -> bool:
+    """Add the lines of two joints that come to turn about one line at a row, and what crosses them; say whether one is.
 
     Where branches merge as well more than two directions are free to first order, and the line is a mixture of all.
     """
-    chain, T = curves.chain, curves.T
+    chain, T, found = curves.chain, curves.T, False
     for at in meetings(chain):
         through = put_in_line(chain, at, q, T)
-        if through is None or any(motion.distance(through) < ISOLATED_FROM_CURVE for motion in curves.closed):
+        if through is None:
+            continue
+        found = True
+        if curves.meet(through, ISOLATED_FROM_CURVE):
             continue
         pair = at.between - 1, at.between + 1
         line = LineMotion(chain, T, curves.limits, curves.names, curves.shown, through, pair, at.sense)
         curves.closed.append(line)
         for crossing in crossings(line):
             _grow(curves, crossing)
+    return found
 
 
 def _slides(curves: _Curves, point: Array, further: Array) -> SlideLine | None:
