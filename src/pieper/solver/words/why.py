@@ -7,7 +7,8 @@ import numpy as np
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status
 from pieper.solver.rows import Flag
-from pieper.tolerances import ARM_ANGLE_POLE, CLOSES, TOLD_AS_TURN
+from pieper.solver.words.closest import typed
+from pieper.tolerances import ARM_ANGLE_POLE, CLOSES, MOST_OPEN, TOLD_AS_TURN
 from pieper.words_by_number import plural
 
 #: From here on (m) a slide's miss is said in metres.
@@ -81,13 +82,16 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
         plan.task
     ]
     turned = f"{np.degrees(radians):.3g} deg"
+    digits, open_by = typed(sols.T)
+    # a matrix that is typed has as many decimals in its turn as in its place
+    rounded = f" Rounding explains it: the position has {plural(digits, 'decimal')}, in metres."
+    explained = rounded if max(metres, radians) <= min(open_by, MOST_OPEN * plan.chain.length) else ""
     if by_turn and way <= min(TOLD_AS_TURN, radians):
-        missing = f"at best {turned} are missing.{linkage}"
+        missing = f"at best {turned} are missing.{linkage}{explained}"
         return f"{what} is out of reach: the arm gets there, but not turned this way; {missing}"
     also = f" and {turned}" if by_turn else ""
-    return (
-        f"{what} is out of reach: the nearest one the arm can take misses it by {metres * 1e3:.4g} mm{also}.{linkage}"
-    )
+    missing = f"misses it by {metres * 1e3:.4g} mm{also}.{linkage}{explained}"
+    return f"{what} is out of reach: the nearest one the arm can take {missing}"
 
 
 def _by_linkage(plan: Plan) -> str:
