@@ -19,7 +19,7 @@ from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.surface import as_one
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
 from pieper.solver.results import Solutions
-from pieper.solver.singular.beside_curve import is_known_exactly, on_followed, one_free
+from pieper.solver.singular.beside_curve import on_followed, one_free
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
 from pieper.tolerances import (
@@ -50,8 +50,8 @@ SMALL = 0.05
 SURFACE_WAY = 0.618
 #: Newton steps at merged roots, where each only halves what is left.
 SLOW_STEPS = 40
-#: Samples of a curve, few and then more, that are all on another which holds it.
-COMPARED = 4, 40
+#: Samples of a curve that are all on another which holds it; by how much it may be longer, chords as they are.
+COMPARED, LONGER = 40, 1.1
 #: How often a curve is followed anew that has turned into a line which it crosses.
 BEGUN_ANEW = 8
 #: Seeds whose distances to a curve are taken at once: it bounds the memory.
@@ -218,15 +218,19 @@ def _off_lines(motion: SelfMotion, lines: list[SelfMotion]) -> SelfMotion:
 
 def _covers(motion: SelfMotion, other: SelfMotion) -> bool:
     """Whether a curve holds another: one that was begun anew where the other had been left."""
-    if other.dimension > 1 or not one_free(motion.chain):
+    if other.dimension > 1 or not one_free(motion.chain) or _length(other) > LONGER * _length(motion):
         return False
-    few, many = (np.unique(np.linspace(0, len(other.samples) - 1, count).astype(int)) for count in COMPARED)
-    return bool(on_curve(motion, other.samples[few]).all() and on_curve(motion, other.samples[many]).all())
+    some = other.samples[np.linspace(0, len(other.samples) - 1, COMPARED).astype(int)]
+    return bool(on_curve(motion, some[:1]).all() and on_curve(motion, some).all())
+
+
+def _length(motion: SelfMotion) -> float:
+    return float(np.linalg.norm(np.diff(motion.samples, axis=0), axis=1).sum())
 
 
 def on_curve(motion: SelfMotion, seeds: Array) -> Bools:
     """Return which of the seeds (m, n) lie on a traced curve."""
-    if motion.dimension == 1 and is_known_exactly(motion.chain, motion.samples):
+    if motion.is_line:
         return on_followed(motion.chain, motion.T, motion.samples, seeds, motion.closed, SEED_IS_ON)
     parts = [motion.distances(seeds[i : i + CHUNK]) for i in range(0, len(seeds), CHUNK)]
     away = np.concatenate(parts) if parts else np.zeros(0)

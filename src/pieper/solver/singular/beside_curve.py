@@ -125,7 +125,7 @@ def _meets(chain: Chain, T: Array, place: _Place, q: Array, within: float) -> Bo
         if np.abs(step).max() < within / 10 and held.max() < ON_CURVE:
             break
     away = np.linalg.norm((q - point) / unit, axis=1)
-    # a double root is known to half the digits: it counts from where the pose is missed ever less on the way to the curve
+    # a double root is known to half the digits: it counts where the pose is missed ever less on the way to the curve
     blurred = np.flatnonzero((away > within) & (away < SAME_VOUCHED))
     ways = q[blurred] - point[blurred]
     missed_by = [np.linalg.norm(pose_difference(chain, point[blurred] + k * ways, T), axis=1) for k in (1.0, 0.5)]
