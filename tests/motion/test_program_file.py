@@ -123,7 +123,7 @@ def test_a_spline_is_named_as_the_program_counts_and_not_as_a_file_does_that_cut
     round_.move_s(TAUGHT + (shifted(x=-0.08) - T0))
     with pytest.raises(InputError, match="^move 2 is a spline") as refused:
         round_.write(tmp_path / "p.pcs")
-    assert refused.value.data["spline"] == 2
+    assert refused.value.data["move"] == 2
 
 
 def test_a_circle_is_said_by_its_centre():

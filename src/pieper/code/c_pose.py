@@ -57,7 +57,7 @@ static int NAME_rigid(const double *T, double *X) {
 #: By how many squares of a step (rad, lengths of the arm) what is missed may depart from its straight model, and more:
 #: entries of a pose have second derivatives of at most a length of the arm, twelve of them count.
 BENDS = 8.0
-#: Of arms with filled joints: a row becomes the joint vector whose pose comes nearest to what was asked.
+#: Of arms with filled or linked joints: a row becomes the joint vector whose pose comes nearest to what was asked.
 NEAREST = """
 /* Least squares: the joint vector whose pose comes nearest to T; its pose, P, and by how much that misses. */
 static double NAME_nearest(double *q, const double *T, double *P) {
@@ -65,8 +65,8 @@ static double NAME_nearest(double *q, const double *T, double *P) {
   static const double weight[] = {@WEIGHTS@};
   int step, i, j, k;
   for (step = 0;; ++step) {
-    double axes[N][6], A[N][N1] = {{0}}, g[N], miss = 0, left, size = 0;
-    NAME_walk(q, P, axes);
+    double axes[AXES][6], A[N][N1] = {{0}}, g[N], miss = 0, left, size = 0;
+@TO_AXES@    NAME_walk(@V@, P, axes);
     for (k = 0; k < @ENTRIES@; ++k) {
       const double r = weight[k] * (T[tested[k]] - P[tested[k]]);
       miss += r * r;
@@ -75,19 +75,19 @@ static double NAME_nearest(double *q, const double *T, double *P) {
     for (k = 0; k < @ENTRIES@; ++k) {
       const int e = tested[k], c = e % 4, a = (e / 4 + 1) % 3, b = (e / 4 + 2) % 3;
       const double r = weight[k] * (T[e] - P[e]);
-      double D[N];
-      for (j = 0; j < N; ++j) {
+      double D[N]@BY@;
+      for (j = 0; j < AXES; ++j) {
         const double *z = axes[j], *p = axes[j] + 3, o = c == 3;
         const double turned = z[a] * (P[4 * b + c] - o * p[b]) - z[b] * (P[4 * a + c] - o * p[a]);
-        D[j] = weight[k] * (NAME_slides[j] ? o * z[e / 4] : turned);
+        @OF@[j] = weight[k] * (NAME_slides[j] ? o * z[e / 4] : turned);
       }
-      for (i = 0; i < N; ++i) {
+@BY_JOINTS@@FIXED@      for (i = 0; i < N; ++i) {
         for (j = 0; j < N; ++j) A[i][j] += D[i] * D[j];
         A[i][N] += D[i] * r;
       }
     }
     for (i = 0; i < N; ++i) A[i][i] *= 1 + @DAMPED@, g[i] = A[i][N];
-    for (i = 0; i < N; ++i)
+@HOLDING@    for (i = 0; i < N; ++i)
       for (k = i + 1; k < N; ++k) {
         const double by = A[k][i] / A[i][i];
         for (j = i; j <= N; ++j) A[k][j] -= by * A[i][j];
@@ -100,7 +100,7 @@ static double NAME_nearest(double *q, const double *T, double *P) {
     /* What no step takes away: the least the straight model leaves, but for twice what it bends by on the way. */
     for (left = miss, i = 0; i < N; ++i) {
       left -= g[i] * A[i][N];
-      size += fabs(A[i][N]) * (NAME_slides[i] ? @PER_LENGTH@ : 1);
+      size += fabs(A[i][N]) * (@JOINTS_SLIDE@[i] ? @PER_LENGTH@ : 1);
     }
     size = 2 * @CLOSES@ + @BENDS@ * size * size;
     if (left > size * size) return sqrt(left);
@@ -110,8 +110,8 @@ static double NAME_nearest(double *q, const double *T, double *P) {
 
 
 def nearest_of(own: Between, length: float) -> str:
-    """Return the function that brings rows nearest to the pose, of arms with filled joints; else nothing."""
-    if not own.filled:
+    """Return the function that brings rows nearest to the pose, of arms with filled or linked joints; else nothing."""
+    if not own.weights:
         return ""
     text = NEAREST.replace("@ENTRIES_TESTED@", ", ".join(map(str, own.tested)))
     text = text.replace("@WEIGHTS@", ", ".join(map(repr, own.weights))).replace("@ENTRIES@", str(len(own.tested)))
@@ -119,4 +119,21 @@ def nearest_of(own: Between, length: float) -> str:
     text = (
         text.replace("@PER_LENGTH@", repr(1 / length)).replace("@CLOSES@", repr(CLOSES)).replace("@BENDS@", repr(BENDS))
     )
+    by_joints = ""
+    if own.linked and own.gears is not None:
+        by_joints = "".join(
+            f"      D[{j}] = {sum_};\n" for j, sum_ in enumerate(own.sums(own.gears.T, "by[{}]".format))
+        )
+    said = {
+        "TO_AXES": "    double v[AXES];\n    NAME_axes(q, v);\n" if own.linked else "",
+        "V": "v" if own.linked else "q",
+        "BY": ", by[AXES]" if own.linked else "",
+        "OF": "by" if own.linked else "D",
+        "BY_JOINTS": by_joints,
+        "FIXED": "".join(f"      D[{j}] = 0;\n" for j in own.fixed),
+        "HOLDING": "".join(f"    A[{j}][{j}] = 1;\n" for j in own.fixed),
+        "JOINTS_SLIDE": "NAME_joint_slides" if own.linked else "NAME_slides",
+    }
+    for word, what in said.items():
+        text = text.replace(f"@{word}@", what)
     return text.removeprefix("\n") + "\n"

@@ -43,8 +43,8 @@ class Export:
     Args:
         name: The prefix of functions, where a language needs one.
         plan: How the arm is solved.
-        links: (n + 1, 3, 4) constant links of the chain, m.
-        slides: (n,) which joints slide.
+        links: (axes + 1, 3, 4) constant links of the chain, m.
+        slides: (axes,) which axes slide.
         lower: (n,) limits, rad or m, a rounding wider than said; infinite where there is none.
         upper: (n,) the same.
         q: (20, n) joint vectors of the self-test.
@@ -71,7 +71,17 @@ class Export:
     @property
     def n(self) -> int:
         """Number of joints."""
+        return len(self.lower)
+
+    @property
+    def axis_count(self) -> int:
+        """Number of axes, more than joints where a linkage moves some."""
         return len(self.slides)
+
+    @property
+    def joints_slide(self) -> tuple[bool, ...]:
+        """(n,) which joints slide."""
+        return self.slides if self.between.joints_slide is None else self.between.joints_slide
 
     @cached_property
     def program(self) -> Program:
@@ -92,7 +102,8 @@ def _refuse_what_is_no_formula(plan: Plan) -> None:
     name = plan.name
     if plan.snapped:
         raise PlanError(f"{name}: its geometry was snapped, and the polishing that follows is a loop: give exact axes.")
-    if plan.solver.ends is not None:
+    solved = plan.uncoupled if plan.chain.linked and plan.uncoupled is not None else plan
+    if solved.solver.ends is not None:
         raise PlanError(f"{name}: its base or tool is too far away to be written into one formula; take it off.")
 
 
@@ -130,7 +141,7 @@ def export(arm: PlannedArm, name: str) -> Export:
         name,
         plan,
         plan.chain.links[:, :3],
-        tuple(bool(s) for s in plan.prismatic),
+        tuple(bool(s) for s in plan.chain.sliding),
         plan.limits[:, 0] - LIMIT_SLACK,
         plan.limits[:, 1] + LIMIT_SLACK,
         q,
@@ -152,6 +163,8 @@ def _postures(plan: Plan, own: Between) -> tuple[Array, Array, tuple[int, ...]]:
     limits = _tried(plan)
     # six digits of a joint vector and twelve of what follows are enough for the test, and short in the file
     q = np.round(rng.uniform(limits[:, 0], limits[:, 1], (40 * TESTS, plan.n)), DIGITS)
+    for j in own.fixed:
+        q[:, j] = own.columns[j]
     T = np.round(fk(plan.chain, q), 12)
     count, clear, back = _asked(plan, own, q, T)
     clear &= np.abs(back - q).max(1) < 0.1 * SAME_SOLUTION  # not next to a singular one, where digits are lost

@@ -71,13 +71,13 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
         pose = checked_pose(T)
         q, slots, inside, flag = plan.solver.one(pose)
+    if not len(q) or (plan.slides and not np.abs(pose[:3, 3]).max() <= FARTHEST):
+        pose = checked_pose(pose)  # the kernel refuses no place, however far
     if (flag & (_DOUBTFUL | _EDGE) or not len(q)) and (far := one_from_afar(plan, np.asarray(pose, float), ik)):
         return far[0]
     if flag & (_DOUBTFUL | _EDGE):
         found = _read(plan, pose, q, flag & ~_EDGE)  # of no rows inside, it is false as a sequence
         return _careful(plan, checked_pose(pose), q, slots, inside, flag) if found is None else found
-    if not len(q):
-        pose = checked_pose(pose)  # the kernel refuses no place, however far
     return Solutions(plan, WORDS, pose, q, slots, inside, flag)
 
 

@@ -72,6 +72,12 @@ CLOSEST_CRAWL = (1e-3, 0.2, 6.0)
 SAME_DESCENT = 1e-3
 #: Positions that are as near as this (per length) are alike, and the orientation decides: more than rounding leaves.
 ALIKE_NEAR = 1e-11
+#: Decimals (m) of a position that were typed, at most; it is one where it is off by no more of its size.
+MOST_TYPED, LAST_BITS = 13, 4e-16
+#: A typed position is open by half of its last decimal, at most by so much of the arm's length;
+MOST_OPEN = 1e-4
+#: within that a posture that misses it is nearer where it is turned less by so many times (rad) what it misses.
+TURN_FOR_PLACE = 1e3
 #: Part of a turn's weight to which its chord counts as its angle does; sine over the angle where that is half a turn.
 COUNTED_IN_RADIANS, HALF_A_TURN = 1e-9, 1e-9
 #: Half the square of a distance (per length) that a few more steps take to rounding.

@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import pieper
-from pieper.motion.dialects.files import spline_refused
 from pieper.tolerances import NO_MOVE
 from pieper.workbench import around
 from pieper.workbench.messages import Refused, number, optional, pose, vector, vectors, whole, word
@@ -228,9 +227,9 @@ def write(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
         try:
             built.program.write(path, dialect=dialect, name=name)
         except pieper.InputError as error:
-            spline = error.data.get("spline")
-            if not isinstance(spline, int):
+            move = error.data.get("move")
+            if not isinstance(move, int):
                 raise Refused(str(error)) from error
             moves = [turn.name for turn in built.done if turn.step["kind"] in MOVES]
-            raise Refused(spline_refused(moves[spline - 1].capitalize(), dialect)) from error
+            raise Refused(f"{moves[move - 1].capitalize()} {error.data['why']}") from error
         return {"text": path.read_text(encoding="utf-8"), "name": path.name}

@@ -27,11 +27,6 @@ DIALECTS: dict[str, Dialect] = {
 }
 
 
-def spline_refused(move: str, dialect: str) -> str:
-    """Return why a spline is not written, by what the move is called."""
-    return f"{move} is a spline, which {dialect} is not written with here; write ros or csv, or lines and circles."
-
-
 def check_splines(moves: Sequence[Move], dialect: str) -> None:
     """Refuse a maker's dialect for moves, as the program numbers them, of which one is a spline.
 
@@ -41,7 +36,8 @@ def check_splines(moves: Sequence[Move], dialect: str) -> None:
     arguments.word(dialect, "dialect", DIALECTS)
     splines = [number for number, move in enumerate(moves, 1) if move.kind == "move_s"]
     if splines and DIALECTS[dialect].maker is not None:
-        raise InputError(spline_refused(f"move {splines[0]}", dialect), spline=splines[0])
+        why = f"is a spline, which {dialect} is not written with here; write ros or csv, or lines and circles."
+        raise InputError(f"move {splines[0]} {why}", move=splines[0], why=why)
 
 
 def text_of(script: Script, dialect: str) -> str:
