@@ -74,7 +74,8 @@ def followed(forward, chain, q, T, *, across=FAR, most=20000):
         length += size
         gap = around(start - here)
         if len(points) > 4 and 0 < gap @ way <= 1.001 * size and np.linalg.norm(gap - gap @ way * way) < 0.3 * size:
-            on = onto(forward, chain, here + gap, T, way, here + gap)
+            # another curve may pass as near: only this one meets the plane through the start in the start itself
+            on = onto(forward, chain, here + gap @ way / size * (p - here), T, way, here + gap)
             if on is not None and np.linalg.norm(on - here - gap) < 1e-7:
                 return np.array(points), True, length - size + float(np.linalg.norm(gap))
         if hidden:
