@@ -109,7 +109,7 @@ def self_motions_of(
         if _astray(motion, lines):
             motion = _begun_anew(motion, lines)
         if motion.dimension == 1:
-            motions = [other for other in motions if not _covers(motion, other)]
+            motions = lines + [other for other in motions[len(lines) :] if not _covers(motion, other)]
         motions.append(motion)
         traced += len(motion.samples)
         if motion.dimension > 1:
