@@ -148,6 +148,14 @@ struct Beside {
     const double part = dot(missed, across);
     return 0.5 * (moving == 2 ? length_of(missed - part * across) : std::fabs(part)) / square;
   }
+  // How far apart the roots of a fold are that bends so: the joints that move most tell, those on short levers.
+  double roots_apart(double bend) const {
+    double way[3], square = 0;
+    Vec3 across;
+    dependency(way, across);
+    for (int k = 0; k < moving; ++k) square += way[k] * way[k];
+    return independent() / (bend * std::sqrt(square));
+  }
 };
 
 // What there is over a row.
@@ -159,6 +167,9 @@ struct Fibre {
   std::vector<SelfMotionRead> motions;  // all of them
   bool fold = false;                    // whether a root or a motion is a double one
   double blur = 0;                      // within which rows of a double root have the same ones (rad; lengths)
+  double apart = 0;                     // of the fold's roots (rad; lengths)
+
+  bool over_fold() const { return over == Over::ROOT && fold; }
 };
 
 // Whether nothing crosses a line of two joints of one of the groups: whether what is beside it is a simple solution.
@@ -195,6 +206,18 @@ inline void onto_fold(const SixJoints& arm, const Rigid& T, const Group3& group,
   }
 }
 
+// Whether a double root of the joints beside a group is told: next to a line of its own the group is known less well than they.
+inline bool is_told(const SixJoints& arm, const Group3& group, const Fibre& fibre, const Root& root,
+                    const std::vector<Root>& roots) {
+  for (const Root& other : roots) {
+    bool same = fibre.fold && other.branches == root.branches && arm.apart(other.q, root.q) < kSameAlong;
+    for (int k = 3; k < kSix; ++k)
+      same = same && std::fabs(arm.way(other.q, root.q, (group.first + k) % kSix)) < fibre.blur;
+    if (same) return true;
+  }
+  return false;
+}
+
 // Reads the fibre at a row.
 inline Fibre fibre_over(const SixJoints& arm, const Group3& group, const double* q, const Standing& at,
                         double rounding) {
@@ -209,8 +232,8 @@ inline Fibre fibre_over(const SixJoints& arm, const Group3& group, const double*
     const double bend = beside.bend(at.J, group.first);
     if (!(bend > kClearFold)) return fibre;
     fibre.blur = std::fmax(kMergedSame, 3 * std::sqrt(kMergedRounding / bend));
-    const double size = *std::max_element(beside.size, beside.size + beside.moving);
-    fibre.fold = firm * size / bend < fibre.blur;
+    fibre.apart = beside.roots_apart(bend);
+    fibre.fold = fibre.apart < fibre.blur;
     if (fibre.fold) branches = 2;
     else fibre.blur = 0;
   }
@@ -239,6 +262,21 @@ inline Fibre fibre_over(const SixJoints& arm, const Group3& group, const double*
   if (!pieces_of(q, at, bar, fibre.motions)) return fibre;
   fibre.over = fibre.motions.empty() ? Over::ROOT : Over::MOTIONS, fibre.branches = 2 * branches;
   return fibre;
+}
+
+// The fibre at a double root, which a row is moved onto; unknown where the two sides of its fold, which rounding does not tell apart, turn
+// the outer axes of the group past each other: what the pose leaves open there is a curve.
+inline Fibre at_double_root(const SixJoints& arm, const Rigid& T, const Group3& group, double rounding,
+                            const Fibre& fibre, double* q) {
+  double exact[6];
+  std::copy(q, q + kSix, exact);
+  onto_fold(arm, T, group, rounding, exact);
+  const Standing at(arm, exact);
+  const Fibre exactly = fibre_over(arm, group, exact, at, rounding);
+  if (exactly.over != Over::UNKNOWN) std::copy(exact, exact + kSix, q);
+  const Fibre& told = exactly.over == Over::UNKNOWN ? fibre : exactly;
+  const double gap = group.flat ? INFINITY : line_gap(at, group.first, group.first + 2);
+  return told.over == Over::ROOT && gap < kNextToLinkage && gap < told.apart ? Fibre{} : told;
 }
 
 }  // namespace pieper::PIEPER_ISA

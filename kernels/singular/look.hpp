@@ -100,10 +100,8 @@ class Look {
   };
   // Adds what hides beside such rows; false where that would be more than there can be.
   bool searched(const Rigid& T, std::size_t regular, std::vector<Unsure>& unsure, std::vector<Root>& alone) const {
-    std::vector<Root> more = alone;
-    for (Unsure& one : unsure) next_to_.linkage(T, one.root.q, one.bar, more);
-    alone = more;
-    return regular + more.size() <= kMostSolutions;
+    for (Unsure& one : unsure) next_to_.linkage(T, one.root.q, one.bar, alone);
+    return regular + alone.size() <= kMostSolutions;
   }
 
   // All rows of a pose.
@@ -151,7 +149,8 @@ class Look {
     std::copy(q, q + kSix, root.q);
     if (root.branches == 2) onto_root_of_fold(arm_, T, d, bend, root.q);
     const bool flat = root.branches == 0;
-    if (flat) {  // too flat to be told by its second order
+    if (flat) {  // too flat to be told by its second order; next to a group's own line, where the joints beside are at a fold
+      if (at_fold(q, at)) return two_ways(T, q, alone, motions);
       if (next_to_.held(T, q, d.joint[5])) return false;
       root.branches = branches_at(arm_, T, root.q);
     }
@@ -304,6 +303,12 @@ class Look {
     return Standing(arm_, p);
   }
 
+  bool at_fold(const double* q, const Standing& at) const {
+    bool any = false;
+    for (const Group3& group : groups_) any |= fibre_over(arm_, group, q, at, rounding_at(at)).over_fold();
+    return any;
+  }
+
   // A row with more than one weak direction.
   bool two_ways(const Rigid& T, const double* q, std::vector<Root>& alone, std::vector<SelfMotionRead>& motions) const {
     Root root{{}, 1};
@@ -311,18 +316,12 @@ class Look {
     const double rounding = rounding_at(at);
     for (const Group3& group : groups_) {
       Fibre fibre = fibre_over(arm_, group, root.q, at, rounding);
-      if (fibre.over == Over::ROOT && fibre.fold) {
-        double exact[6];
-        std::copy(root.q, root.q + kSix, exact);
-        onto_fold(arm_, T, group, rounding, exact);
-        const Fibre exactly = fibre_over(arm_, group, exact, Standing(arm_, exact), rounding);
-        if (exactly.over != Over::UNKNOWN) fibre = exactly, std::copy(exact, exact + kSix, root.q);
-      }
+      if (fibre.over_fold()) fibre = at_double_root(arm_, T, group, rounding, fibre, root.q);
       if (fibre.over != Over::MOTIONS && moved_aside(T, root.q, at, group, fibre)) fibre.over = Over::MOTIONS;
       if (fibre.over == Over::UNKNOWN) continue;
       if (fibre.over == Over::MOTIONS) return added(T, fibre, motions);
       root.branches = fibre.branches;
-      alone.push_back(root);
+      if (!is_told(arm_, group, fibre, root, alone)) alone.push_back(root);
       return true;
     }
     return false;

@@ -137,13 +137,18 @@ inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Roo
   for (const Row& row : kept) roots.push_back(row.root);
 }
 
-// Makes one of roots that rounding cannot tell apart, once each is where it belongs.
+// Makes one of roots that rounding cannot tell apart, once each is where it belongs. What stands by itself keeps its count: of a double
+// root next to a line on which the pose all but stays no unfolding tells it.
 inline void one_of_each(const SixJoints& arm, const Rigid& T, std::vector<Root>& roots) {
-  double least = INFINITY;
-  for (std::size_t a = 0; a < roots.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b) least = std::fmin(least, arm.apart(roots[a].q, roots[b].q));
-  if (least >= kMergedBlur) return;
-  for (Root& root : roots) root.branches = branches_at(arm, T, root.q);
+  std::vector<std::size_t> close;
+  for (std::size_t a = 0; a < roots.size(); ++a) {
+    double least = INFINITY;
+    for (std::size_t b = 0; b < roots.size(); ++b)
+      if (a != b) least = std::fmin(least, arm.apart(roots[a].q, roots[b].q));
+    if (least < kMergedBlur) close.push_back(a);
+  }
+  if (close.empty()) return;
+  for (std::size_t a : close) roots[a].branches = branches_at(arm, T, roots[a].q);
   distinct_roots(arm, T, roots);
 }
 

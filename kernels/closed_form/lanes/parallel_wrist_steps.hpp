@@ -34,7 +34,7 @@ struct ParallelWristSteps {
   };
   template <class F> struct Wrist {
     F s4, c4, s5, s6, c6;
-    Mask<F> ok, two, degenerate;
+    Mask<F> ok, two, degenerate, reached;  // reached: verified or not
   };
   template <class F> struct Angles {
     F th2, th4, th5;
@@ -244,7 +244,7 @@ struct ParallelWristSteps {
     F off = abs(c4 * turned_x - s4 * s6 - f.mx[0]) + abs(s4 * turned_x + c4 * s6 - f.my[0]) + abs(s5 * c6 + f.mz0);
     off += abs(c4 * s5 - f.mx[2]) + abs(s4 * s5 - f.my[2]);
     off += kTwoColumns * (abs((s5 * s5 - 1.0) + mz * mz) + abs((s6 * s6 - 1.0) + c6 * c6));
-    out.ok = e.ok & ((arm.off + f.off) + off <= verified_within(P));
+    out.reached = e.ok, out.ok = e.ok & ((arm.off + f.off) + off <= verified_within(P));
     return out;
   }
 

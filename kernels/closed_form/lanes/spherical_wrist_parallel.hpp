@@ -109,7 +109,7 @@ class SphericalWristParallelKernel : ParallelWristSteps {
     F M[3][3], w[3];
     into_base(P, T, M, w);
     Shoulder<F> shoulder = start_shoulder(P, w);
-    Mask<F> none = mask_of<F>(true), beyond = mask_of<F>(true);
+    Mask<F> none = mask_of<F>(true), beyond = mask_of<F>(true), missed = mask_of<F>(false);
     // step by step for all postures: a step is a chain of dependent operations, and one posture's hides the latencies of another's
     Arm<F> arm[2];
     Elbow<F> elbow[2];
@@ -147,13 +147,16 @@ class SphericalWristParallelKernel : ParallelWristSteps {
           at[0], at[1], at[2], place.other_way(3, at[3]), place(4, -angle.th5), place.other_way(5, at[5])};
       out.valid[2 * k] = ok;
       out.valid[2 * k + 1] = ok & of.two;
+      out.reached[2 * k] = k % 2 ? of.reached & elbow[k / 2].two : of.reached;
+      out.reached[2 * k + 1] = out.reached[2 * k] & of.two;
+      missed = missed | (out.reached[2 * k] & !ok);
       place.keep(at, ok, out.q[2 * k], out.inside[2 * k]);
       place.keep(other, out.valid[2 * k + 1], out.q[2 * k + 1], out.inside[2 * k + 1]);
       shoulder.degenerate = shoulder.degenerate | (of.degenerate & ok);
       none = none & !ok;
     }
-    out.degenerate = shoulder.degenerate;
-    out.uncertain = none & shoulder.degenerate & shoulder.reached;
+    out.degenerate = shoulder.degenerate, out.missed = missed;
+    out.uncertain = (none & shoulder.degenerate & shoulder.reached) | missed;
     out.out_of_reach = none;
     out.edge = none & !(shoulder.beyond | beyond);
   }
@@ -170,10 +173,7 @@ class SphericalWristParallelKernel : ParallelWristSteps {
       w[i] = F(w1[i]);
     }
     F side, sense;
-    for (int k = 0; k < 4; ++k) {
-      side.v[k] = k < 2 ? 1.0 : -1.0;
-      sense.v[k] = k == 0 || k == 3 ? -1.0 : 1.0;
-    }
+    for (int k = 0; k < 4; ++k) side.v[k] = k < 2 ? 1.0 : -1.0, sense.v[k] = k == 0 || k == 3 ? -1.0 : 1.0;
     Shoulder<F> shoulder = start_shoulder(P, w);
     Arm<F> arm = turn_shoulder(P, M, w, shoulder, side);
     const AsTheyCome<F> place(P);
@@ -183,7 +183,7 @@ class SphericalWristParallelKernel : ParallelWristSteps {
     const Wrist<F> wrist = turn_wrist(P, arm, elbow, forearm);
     const Angles<F> angle = angles(P, elbow, forearm, wrist);
     Mask<F> second = (side * sense) > 0.0;  // slot with elbow 1
-    Mask<F> ok = wrist.ok & (elbow.two | !second);
+    const Mask<F> there = elbow.two | !second, ok = wrist.ok & there;
     const unsigned bits = bits_of(ok), two = bits_of(wrist.two);
     const bool degenerate = any(shoulder.degenerate | elbow.degenerate | (wrist.degenerate & ok));
     const F at[6] = {
@@ -201,9 +201,10 @@ class SphericalWristParallelKernel : ParallelWristSteps {
         b[j] = both_ok ? other[j].v[k] : 0.0;
       }
     }
-    *flag = static_cast<std::uint8_t>((degenerate ? kDegenerate : 0) | (bits ? 0 : kOutOfReach) |
-                                      (!bits && degenerate && any(shoulder.reached) ? kUncertain : 0) |
-                                      (bits || all(shoulder.beyond | elbow.beyond) ? 0 : kEdge));
+    *flag = static_cast<std::uint8_t>(
+        (degenerate ? kDegenerate : 0) | (bits ? 0 : kOutOfReach) |
+        ((!bits && degenerate && any(shoulder.reached)) || any(wrist.reached & there & !ok) ? kUncertain : 0) |
+        (bits || all(shoulder.beyond | elbow.beyond) ? 0 : kEdge));
   }
 
  private:

@@ -57,6 +57,11 @@ def missed(chain: Chain, q: Array, T: Array) -> Array:
     return np.asarray(np.linalg.norm(pose_difference(chain, q, T), axis=-1), np.float64)
 
 
+def size_of(chain: Chain, T: Array) -> float:
+    """Return how much larger than one the numbers are that forward kinematics rounds."""
+    return 1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length
+
+
 def scaled_jacobian(chain: Chain, q: Array) -> Array:
     """Return Jacobians (..., 6, n) without units: lengths per characteristic length, prismatic columns likewise."""
     J = chain.native.jacobian(q)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
-from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -18,14 +17,13 @@ from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN
-from pieper.kinematics.newton import missed, newton, scaled_jacobian
-from pieper.kinematics.pose import rotation_about
+from pieper.kinematics.newton import missed, newton, scaled_jacobian, size_of
 from pieper.solver.plan.holding import without
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions
-from pieper.solver.singular.examine import size_of
+from pieper.solver.singular.meetings import Meeting, meetings
 from pieper.solver.singular.self_motion import SelfMotion
-from pieper.tolerances import CLOSES, COAXIAL_HOLDS, GEOMETRY_EXACT, ROUNDING, SAME_VOUCHED
+from pieper.tolerances import CLOSES, COAXIAL_HOLDS, ROUNDING, SAME_VOUCHED
 
 #: Newton steps that take a row of the shorter arm to rounding, the line's own joints standing still.
 STEPS = 6
@@ -33,60 +31,8 @@ STEPS = 6
 PLACES = np.array([0.21, 0.5, 0.77])
 
 
-@dataclass(frozen=True)
-class Meeting:
-    """Where two joints come to turn about one line.
-
-    Args:
-        between: The joint (0-based) between the two.
-        value: Where it stands, rad.
-        sense: 1 where the two then turn the same way about the line, else -1.
-    """
-
-    between: int
-    value: float
-    sense: float
-
-
 #: The shorter arms of each plan, as long as the plan is held.
 _SHORTER: WeakKeyDictionary[Plan, tuple[tuple[Meeting, Plan], ...]] = WeakKeyDictionary()
-
-
-def meetings(chain: Chain) -> tuple[Meeting, ...]:
-    """Return where a turning joint brings its neighbours, turning joints too, into one line."""
-    found: list[Meeting] = []
-    for k in range(1, chain.n - 1):
-        if not chain.prismatic[k - 1 : k + 2].any():
-            found += _brought(chain, k)
-    return tuple(found)
-
-
-def _brought(chain: Chain, k: int) -> list[Meeting]:
-    """Return where joint k brings the axis behind it onto the one before it."""
-    before, about, behind = chain.axes[k - 1 : k + 2]
-    place, there = chain.points[k - 1] - chain.points[k], chain.points[k + 1] - chain.points[k]
-    wanted, turned = _across(before, about), _across(behind, about)
-    found: list[Meeting] = []
-    if np.linalg.norm(wanted) < GEOMETRY_EXACT:
-        # of three parallel axes the outer two meet where links of one length are folded upon one another
-        senses, wanted, turned = (float(np.sign(before @ behind)),), _across(place, about), _across(there, about)
-        if np.linalg.norm(turned) < GEOMETRY_EXACT * chain.length:
-            return found
-    else:
-        senses = (1.0, -1.0)
-    for sense in senses:
-        to = wanted if len(senses) == 1 else sense * wanted
-        value = float(np.arctan2(np.cross(turned, to) @ about, turned @ to))
-        R = rotation_about(about, value)
-        off = R @ there - place
-        apart = np.linalg.norm(R @ behind - sense * before)
-        if apart < GEOMETRY_EXACT and np.linalg.norm(_across(off, before)) < GEOMETRY_EXACT * chain.length:
-            found.append(Meeting(k, value, sense))
-    return found
-
-
-def _across(v: Array, axis: Array) -> Array:
-    return v - (v @ axis) * axis
 
 
 def lines(plan: Plan, T: Array, one: Callable[[Plan, Array], Solutions]) -> list[tuple[Array, Array]]:

@@ -9,13 +9,13 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import downhill, missed, newton, singular_values
+from pieper.kinematics.newton import downhill, missed, newton, singular_values, size_of
 from pieper.solver.arm_rows import arm_rows
 from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.rows import Flag
-from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps, size_of
+from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.merged_roots import few_apart
 from pieper.solver.singular.self_motion import SelfMotion

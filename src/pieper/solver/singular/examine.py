@@ -16,12 +16,14 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import missed, newton, null_space, singular_values
+from pieper.kinematics.newton import missed, newton, null_space, singular_values, size_of
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.singular import near_curve
 from pieper.solver.singular.at_limits import LINE_STEPS, at_limits, drawn_in, leads_away, met_inside, way_of_slides
 from pieper.solver.singular.examined import Examined, told
+from pieper.solver.singular.in_one_line import LineMotion
 from pieper.solver.singular.line_of_slides import SlideLine
+from pieper.solver.singular.meetings import meetings, put_in_line
 from pieper.solver.singular.merged_roots import all_into_limits, distinct_roots, merged_root
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
@@ -80,6 +82,9 @@ class _Curves:
 
     def meet(self, q: Array, within: float) -> bool:
         return any(motion.distance(q) < within for motion in self.closed)
+
+    def on_line(self, q: Array) -> bool:
+        return any(isinstance(motion, LineMotion) and motion.distance(q) < ON_POLYLINE for motion in self.closed)
 
 
 def examine(
@@ -178,6 +183,8 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
             hidden += _hiding(curves, q)
         if not on_curve and index < own:
             doubles.append(q)
+    known = [curves.lines > 0 or curves.meet(q, DOUBLES_FROM_CURVE) for q in doubles]
+    doubles = [q for q, some in zip(doubles, known, strict=True) if some or not _lines_through(curves, q)]
     return doubles, hidden
 
 
@@ -224,6 +231,9 @@ def _grow(curves: _Curves, q: Array) -> bool:
             further = step_along(chain, point, T, direction, PROBE)
             if further is None:
                 continue
+            if curves.on_line(further):
+                found = True
+                continue
             if second_smallest(chain, further) < OPEN_DIRECTION:
                 # a surface has no list of curves: a few lines on it show the way, and `dimension` says the rest
                 found = True
@@ -244,6 +254,27 @@ def _grow(curves: _Curves, q: Array) -> bool:
             found = True
             curves.closed.append(motion)
             waiting += crossings(motion)
+    return found
+
+
+def _lines_through(curves: _Curves, q: Array) -> bool:
+    """Add the lines of two joints that come to turn about one line at a row, and what crosses them; say whether one is.
+
+    Where branches merge as well more than two directions are free to first order, and the line is a mixture of all.
+    """
+    chain, T, found = curves.chain, curves.T, False
+    for at in meetings(chain):
+        through = put_in_line(chain, at, q, T)
+        if through is None:
+            continue
+        found = True
+        if curves.meet(through, ISOLATED_FROM_CURVE):
+            continue
+        pair = at.between - 1, at.between + 1
+        line = LineMotion(chain, T, curves.limits, curves.names, curves.shown, through, pair, at.sense)
+        curves.closed.append(line)
+        for crossing in crossings(line):
+            _grow(curves, crossing)
     return found
 
 
@@ -286,11 +317,6 @@ def _directions(chain: Chain, q: Array) -> list[Array]:
     fan = [np.cos(t) * null[0] + np.sin(t) * null[1] for t in angles]
     # a curve's own tangent at a crossing is found by Newton from the nearest of the fan
     return [*null, *fan]
-
-
-def size_of(chain: Chain, T: Array) -> float:
-    """Return how much larger than one the numbers are that forward kinematics rounds."""
-    return 1.0 + float(np.linalg.norm(T[:3, 3])) / chain.length
 
 
 @lru_cache(maxsize=8)

@@ -27,17 +27,25 @@ from pieper.tolerances import (
     CLOSEST_STAGES,
     COUNTED_IN_RADIANS,
     HALF_A_TURN,
+    LAST_BITS,
+    MOST_OPEN,
+    MOST_TYPED,
     NEWTON_DONE,
     PULLED_RANK,
     REACHED_PLACE,
     SAME_DESCENT,
     TINY,
+    TURN_FOR_PLACE,
 )
 
+#: Arms of fewer joints are short: none of their solutions is known where a pose has none.
+JOINTS = 6
 #: Postures looked at first; the best of them are where descents begin. The answer bounds the distance from above.
 LOOKED_AT = 512
 #: As many begin for the position alone, beside the best as many more, spread evenly over all; and for the pose.
 STARTS, SPREAD, TURNED = 20, 8, 8
+#: For the pose of a short arm: a pose that was made with it may lie in any narrow valley.
+TURNED_SHORT = 128
 #: Where the position is not reached and fewer than this part agree how near it is, so many more crawl towards it so
 #: many steps; of them so many go on with steps of second order.
 MORE, MORE_STEPS, MORE_KEPT, FEW_STEPS, AGREED = 128, 8, 64, 5, 0.75
@@ -108,15 +116,31 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
         near = q[(value < ALIKE_NEAR) & (angle < ALIKE_TURN)]
         q = np.vstack([q, hill.onto_pose(near)])
         value, angle = hill.distances(q)
-    own = q[_nearest_of(value, angle) if turning else np.argmin(value), : plan.n]
+    own = q[_nearest_of(value, angle, typed(T)[1] / chain.length) if turning else np.argmin(value), : plan.n]
     miss = plan.residual(own, T)
     return Closest(own, float(miss[0]), float(miss[1]), fk(plan.chain, own))
 
 
-def _nearest_of(value: Array, angle: Array) -> int:
-    """Return which posture is turned least of those that come nearest, to rounding."""
+def typed(T: Array) -> tuple[int, float]:
+    """Return the decimals (m) a position was typed with, a pose's (4, 4), and by how much (m) they leave it open."""
+    place = T[:3, 3]
+    for digits in range(MOST_TYPED):
+        if np.abs(np.round(place, digits) - place).max() <= LAST_BITS * np.abs(place).max():
+            return digits, float(np.sqrt(3.0) / 2 * 10.0**-digits)
+    return MOST_TYPED, 0.0
+
+
+def _nearest_of(value: Array, angle: Array, open_by: float = 0.0) -> int:
+    """Return which posture is turned least of those that come nearest, to rounding.
+
+    Typed decimals leave a position open by something; within that a turn that is far less is worth a place that is
+    missed: rounding must not decide that the arm stands the other way round.
+    """
     alike = np.flatnonzero(value <= value.min() + ALIKE_NEAR)
-    return int(alike[np.argmin(angle[alike])])
+    nearest = int(alike[np.argmin(angle[alike])])
+    loss, gain = value - value[nearest], angle[nearest] - angle
+    worth = (value <= min(open_by, MOST_OPEN)) & (gain > TURN_FOR_PLACE * loss)
+    return int(np.argmin(np.where(worth, angle, np.inf))) if worth.any() else nearest
 
 
 def _weighed(plan: Plan, weights: ArrayLike) -> float:
@@ -147,8 +171,13 @@ class _Hill:
 
     def starts(self, turn: float) -> Array:
         """Return postures (k, n) that are good where a turn counts so much."""
-        away = _distances(self.chain, self.there, self.T)
-        return self.looked[np.argsort(_cost(*away, turn), kind="stable")[:STARTS]]
+        order = np.argsort(_cost(*_distances(self.chain, self.there, self.T), turn), kind="stable")
+        if self.chain.n >= JOINTS or not np.isfinite(turn):
+            return self.looked[order[:STARTS]]
+        weight, steps, _ = CLOSEST_STAGES[0]
+        some = self.looked[order[:TURNED_SHORT]]
+        down = nearer(self.chain, some, self.T, self.limits, np.full(len(some), weight * turn), steps)[0]
+        return down[np.argsort(_cost(*self.distances(down), turn), kind="stable")[:STARTS]]
 
     def in_radians(self, q: Array, turn: float) -> Array:
         """Return postures (k, n) that are least, each near by, where a turn counts so much: as the square of its angle.
@@ -198,7 +227,7 @@ class _Hill:
             back=CLOSEST_BACK,
             starts=STARTS,
             spread=SPREAD,
-            turned=TURNED,
+            turned=TURNED_SHORT if self.chain.n < JOINTS else TURNED,
             more=MORE,
             more_kept=MORE_KEPT,
             few_steps=FEW_STEPS,
