@@ -24,6 +24,7 @@ constexpr long kBlock = 256;            // poses at most; about 100 kB of answer
 constexpr long kScratch = 24 * 1024;    // bytes of answers that stay in the first cache until they are copied past it
 constexpr long kSmallestBlock = 16;     // poses; a multiple of every width of lanes
 constexpr long kUsualCache = 8L << 20;  // bytes, where the processor does not tell
+constexpr long kMostCache = 32L << 20;  // bytes: a virtual machine may be told of all its host's caches together
 constexpr long kShare = 4;              // so many want the cache that all cores share, answers being one of them
 constexpr long kSerialBelow = 2000;     // starting a thread costs as much as this many closed-form poses
 constexpr double kHalfTurn = 3.14159265358979323846;
@@ -32,7 +33,7 @@ constexpr double kHalfTurn = 3.14159265358979323846;
 long cache_size() {
 #if defined(_SC_LEVEL3_CACHE_SIZE)
   static const long found = sysconf(_SC_LEVEL3_CACHE_SIZE);
-  if (found > 0) return found;
+  if (found > 0) return std::min(found, kMostCache);
 #endif
   return kUsualCache;
 }
