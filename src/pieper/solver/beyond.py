@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.pose import checked_pose
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag, Rows
-from pieper.tolerances import BEYOND_REACH
+from pieper.tolerances import BEYOND_REACH, FARTHEST
 
 #: What a kernel may say of a pose that wants a second look; none of it can be true beyond reach.
 DOUBTS = int(Flag.DEGENERATE | Flag.UNCERTAIN | Flag.EDGE)
@@ -26,3 +27,9 @@ def without_doubt(plan: Plan, T: Array, rows: Rows) -> None:
         return
     far = np.flatnonzero((doubts > 0) & ~rows.valid.any(1))
     rows.flags[far[beyond(plan, T[far])]] &= np.uint8(255 ^ DOUBTS)
+
+
+def refuse_too_far(poses: Array, without_rows: Indices) -> None:
+    """Say which pose is too far away to be one, of those that have no rows: the kernels refuse no place."""
+    if not np.all(np.abs(poses[without_rows, :3, 3]) <= FARTHEST):
+        checked_pose(poses, "Ts", batch=True)

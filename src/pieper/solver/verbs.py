@@ -12,7 +12,7 @@ import numpy as np
 
 from pieper import arguments
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, is_exact
 from pieper.solver.afar import one_from_afar, rows_from_afar
 from pieper.solver.batch import SolutionBatch
@@ -30,7 +30,7 @@ from pieper.solver.batches import (
     tell,
     without_refused,
 )
-from pieper.solver.beyond import DOUBTS, beyond, without_doubt
+from pieper.solver.beyond import DOUBTS, beyond, refuse_too_far, without_doubt
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.at_values import rows_at_choice
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice, nothing_chosen
@@ -168,11 +168,11 @@ def _into(
     if len(unclear) < len(poses):
         # by themselves: for one among many the arrays of all would be gone through again and again
         part, some = rows.part(unclear), np.ascontiguousarray(poses[unclear])
-        _refuse_too_far(poses, unclear[~any_row(part.valid)])
+        refuse_too_far(poses, unclear[~any_row(part.valid)])
         into.status[unclear] = _looked_at(plan, some, part)
         rows.put(unclear, part)
     else:
-        _refuse_too_far(poses, unclear[~any_row(rows.valid)])
+        refuse_too_far(poses, unclear[~any_row(rows.valid)])
         into.status[:] = _looked_at(plan, poses, rows)
     if near is not None and chosen is not None:
         near.choose_again(rows, unclear, chosen)
@@ -187,7 +187,7 @@ def _through(plan: Plan, poses: Array, asked: Choice, threads: int) -> SolutionB
         rows.flags[:] &= np.uint8(255 ^ _EDGE)
         status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     else:
-        _refuse_too_far(poses, np.flatnonzero(~any_row(rows.valid)))
+        refuse_too_far(poses, np.flatnonzero(~any_row(rows.valid)))
         status = _looked_at(plan, poses, rows)
     return SolutionBatch(plan, rows, status)
 
@@ -201,7 +201,7 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
         merged = (batch.status == Status.OUTSIDE_LIMITS) & ((batch.found.flags & _DEGENERATE) > 0)
         for i in np.flatnonzero((batch.status == Status.SINGULAR) | merged):
             one = ik(plan, checked_pose(poses[i]))
-            _put(one, batch.found, int(i))
+            batch.found.put_one(int(i), one.all_q, one.in_limits, one.flag)
             batch.status[i] = one.status
         return batch
     for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~any_row(batch.in_limits)):
@@ -291,12 +291,6 @@ def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
     return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag, found, found.self_motions)
 
 
-def _refuse_too_far(poses: Array, without_rows: Indices) -> None:
-    """Say which pose is too far away to be one, of those that have no rows: the kernels refuse no place."""
-    if not np.all(np.abs(poses[without_rows, :3, 3]) <= FARTHEST):
-        checked_pose(poses, "Ts", batch=True)
-
-
 def _looked_at(plan: Plan, poses: Array, rows: Rows) -> Bits:
     """Take the doubt off what is beyond reach, look with care at every pose that needs it, and return all statuses."""
     without_doubt(plan, poses, rows)
@@ -341,20 +335,9 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         T = checked_pose(poses[i])
         q, _, _, flag = plan.solver.one(T) if plan.direct else rows.of(i)
         found = _with_care(plan, T, q, int(flag) | (int(rows.flags[i]) & _ROUNDED))
-        _put(found, rows, i)
+        rows.put_one(i, found.all_q, found.in_limits, found.flag)
         status[i] = found.status
     return status
-
-
-def _put(found: Solutions, rows: Rows, i: int) -> None:
-    """Write one pose's Solutions into this call's rows."""
-    count = min(len(found.all_q), rows.q.shape[1])
-    rows.q[i], rows.valid[i], rows.inside[i], rows.flags[i] = 0.0, False, False, found.flag
-    rows.q[i, :count], rows.valid[i, :count], rows.inside[i, :count] = (
-        found.all_q[:count],
-        True,
-        found.in_limits[:count],
-    )
 
 
 # ---------------------------------------------------------------------------------------------- spare coordinates
