@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 
-#: Longest and shortest step (rad), and how far it goes straight on where another curve crosses: those that are nearly
-#: tangent to each other part only there.
-LONGEST, SHORTEST, ACROSS = 0.05, 1e-9, 1e-5
+#: Longest and shortest step (rad).
+LONGEST, SHORTEST = 0.05, 1e-9
+#: How far it goes straight on where another curve crosses nearly along this one, and where others pass closely.
+FAR, CLOSELY = 1e-5, 1e-6
 
 
 def around(x):
@@ -49,7 +50,7 @@ def tangent(forward, chain, q, before):
     return way, sign, s[5]
 
 
-def followed(forward, chain, q, T, *, most=20000):
+def followed(forward, chain, q, T, *, across=FAR, most=20000):
     """Return the points (k, 7) of the curve of the pose T through q (7,), whether it closed, and its length (rad)."""
     start = np.array(q, float)
     first, side, _ = tangent(forward, chain, start, np.ones(7))
@@ -60,8 +61,8 @@ def followed(forward, chain, q, T, *, most=20000):
         good = p is not None and np.linalg.norm(p - here) < 1.05 * step
         if good:
             new, now, weak = tangent(forward, chain, p, way)
-            hidden = step <= 4 * ACROSS and weak < 1e-3 * step  # where curves cross the free way is noise
-            good = hidden or (new @ way > 0.95 and (now == side or step <= ACROSS))
+            hidden = step <= 4 * across and weak < 1e-3 * step  # where curves cross the free way is noise
+            good = hidden or (new @ way > 0.95 and (now == side or step <= across))
         if not good:
             step /= 2
             if step < SHORTEST:
@@ -73,11 +74,12 @@ def followed(forward, chain, q, T, *, most=20000):
         length += size
         gap = around(start - here)
         if len(points) > 4 and 0 < gap @ way <= 1.001 * size and np.linalg.norm(gap - gap @ way * way) < 0.3 * size:
-            on = onto(forward, chain, here + gap, T, way, here + gap)
+            # another curve may pass as near: only this one meets the plane through the start in the start itself
+            on = onto(forward, chain, here + gap @ way / size * (p - here), T, way, here + gap)
             if on is not None and np.linalg.norm(on - here - gap) < 1e-7:
                 return np.array(points), True, length - size + float(np.linalg.norm(gap))
         if hidden:
-            step = 4 * ACROSS
+            step = 4 * across
             continue
         way, side = new, now
         step = min(LONGEST, 1.5 * step)

@@ -12,15 +12,15 @@ namespace {
 using namespace PIEPER_ISA;
 
 constexpr int kNewtonSteps = 12;
-constexpr double kTooFar = 1.0;       // a Newton step that is longer leads elsewhere, rad or lengths
-constexpr double kGrow = 1.3;         // by how much a step grows after one that went well,
-constexpr double kLeap = 3.0;         // and after one as good as straight:
-constexpr double kStraight = 0.9998;  // the cosine between the tangents at its ends is larger
-constexpr double kTurned = 0.8;       // and below this one the step was too long for how the curve bends
-constexpr double kHome = 0.75;        // of a step: so near to where it began a curve is home,
-constexpr double kAlong = 0.9;        // if it comes home along itself and not across
-constexpr double kBeside = 0.3;       // of a step: so far beside it a curve's beginning may be passed by that step,
-constexpr double kPast = 1.1;         // and so far ahead
+constexpr double kTooFar = 1.0;  // a Newton step that is longer leads elsewhere, rad or lengths
+constexpr double kGrow = 1.3;    // by how much a step grows after one that went well,
+constexpr double kLeap = 3.0;    // and after one as good as straight:
+                                 // the cosine between the tangents at its ends is above kFollowStraight,
+constexpr double kTurned = 0.8;  // and below this one the step was too long for how the curve bends
+constexpr double kHome = 0.75;   // of a step: so near to where it began a curve is home,
+constexpr double kAlong = 0.9;   // if it comes home along itself and not across
+constexpr double kBeside = 0.3;  // of a step: so far beside it a curve's beginning may be passed by that step,
+constexpr double kPast = 1.1;    // and so far ahead
 
 struct Follower : Posture {
   Rigid goal;
@@ -223,7 +223,7 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
     }
     weakest = there;
     if (now) side = now;
-    step = std::fmin(how.step, step * (one_free && turned > kStraight ? kLeap : kGrow));
+    step = std::fmin(how.step, step * (one_free && turned > kFollowStraight ? kLeap : kGrow));
   }
   return false;
 }

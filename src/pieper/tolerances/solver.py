@@ -120,6 +120,8 @@ SEED_ON_CURVE = 1e-5
 #: The same where one direction is free and no more, of seeds that hold the pose to rounding: curves may pass each other
 #: as near as a few times this.
 SEED_IS_ON = 1e-6
+#: Where a curve crosses another it is gone on by steps shorter than this (rad; lengths).
+CROSSED_BY = 1e-3
 #: A step (rad; lengths) of a point that holds the pose already, beyond which it is made of rounding.
 LED_AWAY = 1e-5
 #: Seeds whose weakest direction is below this part of the strongest are traced last.

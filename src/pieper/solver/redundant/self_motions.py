@@ -19,11 +19,12 @@ from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.surface import as_one
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
 from pieper.solver.results import Solutions
-from pieper.solver.singular.beside_curve import is_known_exactly, on_followed, one_free
+from pieper.solver.singular.beside_curve import how_often_passed, on_followed, one_free
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
 from pieper.tolerances import (
     CLOSES,
+    CROSSED_BY,
     HOLDS,
     PRECISE_RANK,
     SEED_CROSSED,
@@ -50,10 +51,10 @@ SMALL = 0.05
 SURFACE_WAY = 0.618
 #: Newton steps at merged roots, where each only halves what is left.
 SLOW_STEPS = 40
-#: Samples of a curve, few and then more, that are all on another which holds it.
-COMPARED = 4, 40
-#: How often a curve is followed anew that has turned into a line which it crosses.
-BEGUN_ANEW = 8
+#: Samples of a curve that are all on another which holds it; by how much it may be longer, chords as they are.
+COMPARED, LONGER = 40, 1.1
+#: How often a curve is followed anew that went astray; at how many places it is asked how often it passes there.
+BEGUN_ANEW, PASSED = 8, 12
 #: Seeds whose distances to a curve are taken at once: it bounds the memory.
 CHUNK = 256
 
@@ -105,10 +106,10 @@ def self_motions_of(
     while len(seeds) and len(motions) < most and traced < MOST_SAMPLES:
         motion = trace(full, seeds[0], T, plan.full_limits, plan.full_names, shown=plan.n, most_steps=steps)
         seeds = seeds[1:]
-        if any(_covers(motion, line) for line in lines):
-            motion = _off_lines(motion, lines)
+        if _astray(motion, lines):
+            motion = _begun_anew(motion, lines)
         if motion.dimension == 1:
-            motions = [other for other in motions if not _covers(motion, other)]
+            motions = lines + [other for other in motions[len(lines) :] if not _covers(motion, other)]
         motions.append(motion)
         traced += len(motion.samples)
         if motion.dimension > 1:
@@ -201,32 +202,52 @@ def _holding(plan: Plan, T: Array, found: Solved | Sweep) -> Array:
     return rows[missed(plan.exact.full, rows, T) < CLOSES]
 
 
-def _off_lines(motion: SelfMotion, lines: list[SelfMotion]) -> SelfMotion:
-    """Return a curve that has turned into a line which it crosses, followed anew from where it does not.
+def _astray(motion: SelfMotion, lines: list[SelfMotion]) -> bool:
+    """Whether a curve has turned into a line that it crosses, or goes round more than once."""
+    if any(_covers(motion, line) for line in lines):
+        return True
+    steps = np.linalg.norm(np.diff(motion.samples, axis=0), axis=1)
+    # only where curves cross are steps so short
+    if not motion.is_line or not len(steps) or steps.min() > CROSSED_BY:
+        return False
+    places = np.linspace(0, len(steps) - 1, PASSED).astype(int)
+    between = newton(motion.chain, (motion.samples[places] + motion.samples[places + 1]) / 2, motion.T)
+    often = how_often_passed(motion.chain, motion.T, motion.samples, between, motion.closed, SEED_IS_ON)
+    return bool(np.count_nonzero(often > 1) > len(places) / 3)
 
-    Where a curve runs all but along a line to the place at which it crosses it, rounding decides which of the two is
+
+def _begun_anew(motion: SelfMotion, lines: list[SelfMotion]) -> SelfMotion:
+    """Return a curve that went astray, followed anew from elsewhere on it.
+
+    Where two curves run all but along each other to the place at which they cross, rounding decides which of the two is
     gone on: not so from wherever one comes.
     """
-    off = motion.samples[~np.logical_or.reduce([on_curve(line, motion.samples) for line in lines])]
+    off = motion.samples
+    for line in lines:
+        off = off[~on_curve(line, off)]
     limits, names, shown = motion.limits, motion.names, motion.shown
     for start in off[np.linspace(0, len(off) - 1, BEGUN_ANEW).astype(int)] if len(off) else off:
         again = trace(motion.chain, start, motion.T, limits, names, shown=shown)
-        if again.closed and not any(_covers(again, line) for line in lines):
+        if again.closed and not _astray(again, lines):
             return again
     return motion
 
 
 def _covers(motion: SelfMotion, other: SelfMotion) -> bool:
     """Whether a curve holds another: one that was begun anew where the other had been left."""
-    if other.dimension > 1 or not one_free(motion.chain):
+    if other.dimension > 1 or not one_free(motion.chain) or _length(other) > LONGER * _length(motion):
         return False
-    few, many = (np.unique(np.linspace(0, len(other.samples) - 1, count).astype(int)) for count in COMPARED)
-    return bool(on_curve(motion, other.samples[few]).all() and on_curve(motion, other.samples[many]).all())
+    some = other.samples[np.linspace(0, len(other.samples) - 1, COMPARED).astype(int)]
+    return bool(on_curve(motion, some[:1]).all() and on_curve(motion, some).all())
+
+
+def _length(motion: SelfMotion) -> float:
+    return float(np.linalg.norm(np.diff(motion.samples, axis=0), axis=1).sum())
 
 
 def on_curve(motion: SelfMotion, seeds: Array) -> Bools:
     """Return which of the seeds (m, n) lie on a traced curve."""
-    if motion.dimension == 1 and is_known_exactly(motion.chain, motion.samples):
+    if motion.is_line:
         return on_followed(motion.chain, motion.T, motion.samples, seeds, motion.closed, SEED_IS_ON)
     parts = [motion.distances(seeds[i : i + CHUNK]) for i in range(0, len(seeds), CHUNK)]
     away = np.concatenate(parts) if parts else np.zeros(0)

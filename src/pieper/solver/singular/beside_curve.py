@@ -51,14 +51,19 @@ def on_followed(chain: Chain, T: Array, samples: Array, q: Array, closed: bool, 
         closed: Whether the last sample is the first again.
         within: rad or lengths.
     """
-    out = np.zeros(len(q), bool)
     if len(samples) < 2:
         return np.linalg.norm(chain.joints.difference(q[:, None], samples), axis=-1).min(1, initial=np.inf) <= within
+    return how_often_passed(chain, T, samples, q, closed, within) > 0
+
+
+def how_often_passed(chain: Chain, T: Array, samples: Array, q: Array, closed: bool, within: float) -> Indices:
+    """Return how often a curve of at least two samples passes postures q (m, n) within a distance (m,), as above."""
+    out = np.zeros(len(q), np.int64)
     for i in range(0, len(q), CHUNK):
         which, segment, part = _stretches(chain, samples, q[i : i + CHUNK], within)
         if len(which):
             on = _meets(chain, T, _Place(samples, segment, part, closed), q[i + which], within)
-            np.logical_or.at(out, i + which, on)
+            np.add.at(out, i + which, on)
     return out
 
 
@@ -125,7 +130,7 @@ def _meets(chain: Chain, T: Array, place: _Place, q: Array, within: float) -> Bo
         if np.abs(step).max() < within / 10 and held.max() < ON_CURVE:
             break
     away = np.linalg.norm((q - point) / unit, axis=1)
-    # a double root is known to half the digits: it counts from where the pose is missed ever less on the way to the curve
+    # a double root is known to half the digits: it counts where the pose is missed ever less on the way to the curve
     blurred = np.flatnonzero((away > within) & (away < SAME_VOUCHED))
     ways = q[blurred] - point[blurred]
     missed_by = [np.linalg.norm(pose_difference(chain, point[blurred] + k * ways, T), axis=1) for k in (1.0, 0.5)]

@@ -108,6 +108,11 @@ class SelfMotion:
         # of seven joints one is free, and the next may be as weak as all along a curve a thousandth of a radian across
         return NEWTON_CUTOFF if self.dimension == 1 and one_free(self.chain) else CURVE_RANK
 
+    @cached_property
+    def is_line(self) -> bool:
+        """Whether it is a line in joint space that is known exactly, however near another passes."""
+        return self.dimension == 1 and is_known_exactly(self.chain, self.samples)
+
     def gaps(self, q: Array, points: Array) -> Array:
         """Return q - points without units, angles around the circle, virtual joints not counted."""
         return np.where(self._virtual, 0.0, self.chain.joints.difference(q, points))
@@ -152,7 +157,7 @@ class SelfMotion:
 
     def point(self, u: float) -> Array:
         """Return the same with the task's virtual joints behind."""
-        return newton(self.chain, self.between(np.array([u]))[0], self.T, steps=6, cutoff=self.rank)
+        return newton(self.chain, self.between(np.array([u]))[0], self.T, cutoff=self.rank)
 
     def at_joint(self, joint: int | str, value: float) -> Array:
         """Return the points (m, n) of the curve where a joint (0-based) has a value, whole turns apart from it counted.
@@ -315,7 +320,7 @@ class SelfMotion:
     def _contains(self, q: Array, tolerance: float) -> bool:
         if self.dimension == 1 and self.distance(q) > 0.05:
             return False
-        if self.dimension == 1 and self.shown == self.chain.n and is_known_exactly(self.chain, self.samples):
+        if self.shown == self.chain.n and self.is_line:
             return bool(on_followed(self.chain, self.T, self.samples, q[None], self.closed, tolerance)[0])
         sizes = np.linalg.norm(self.gaps(q, self.samples), axis=1)
         nearest = self.samples[int(np.argmin(sizes))]

@@ -67,7 +67,7 @@ def trace(
     """
     set_out = null_space(chain, q)[1][-1] if direction is None else direction
     samples, closed = _both_ways(chain, q, T, set_out, most_steps)
-    if not closed and direction is None and one_free(chain):
+    if not closed and direction is None and one_free(chain) and not chain.prismatic.any() and most_steps == MOST_STEPS:
         # where curves cross, the way to set out is known badly: begun where it is known best they close
         best = samples[int(np.argmax(second_smallest(chain, samples)))]
         again, closed = _both_ways(chain, best, T, null_space(chain, best)[1][-1], most_steps)

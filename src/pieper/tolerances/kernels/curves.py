@@ -24,6 +24,8 @@ FOLLOW_NONE = 1e-12
 FOLLOW_EXACT = 1e-15
 #: which directions weaker than this part of the strongest need, that points are known to ten digits,
 FOLLOW_WEAK = 1e-3
+#: a step between whose ends the tangent turns less than this cosine says is as good as straight,
+FOLLOW_STRAIGHT = 0.9998
 #: no step shorter than this (rad; lengths) is tried,
 FOLLOW_FINEST = 1e-8
 #: and a point this near (rad; lengths) to the beginning is the beginning.
