@@ -90,6 +90,11 @@ def prepared(arm: pieper.Arm) -> dict[str, Any]:
             f"{plan.name}: its geometry was snapped, and the polishing that follows needs the library."
         )
     own = between(plan)
+    if own.fixed:
+        raise pieper.PlanError(
+            f"{plan.name}: {', '.join(plan.redundancy)} would have to be held in the middle of the arm, which changes "
+            "the numbers of the six that are left. Lock it (with_joints_locked) at the value that is wanted."
+        )
     six = plan.reduction.six(plan.defaults)
     numbers, general = numbers_of(plan.spec.geometry)
     # a joint that stands still at its limit is inside
@@ -112,7 +117,7 @@ def prepared(arm: pieper.Arm) -> dict[str, Any]:
         "atBase": own.at_base,
         "takenOff": None if own.taken_off is None else own.taken_off.ravel().tolist(),
         "gears": None if own.gears is None else own.gears.tolist(),
-        "back": own.back.tolist(),
+        "back": None if own.back is None else own.back.tolist(),
         "wraps": own.wraps,
         "tied": None if own.tied is None else [bool(t) for t in own.tied],
         "moves": [] if own.moves is None else own.moves.tolist(),

@@ -34,11 +34,15 @@ class Asked(NamedTuple):
 
 
 class Found(NamedTuple):
-    """What it says: rows inside the limits (k, n), how many there are of each pose (N,), and how long it took, s."""
+    """What it says: rows inside the limits (k, n), how many there are of each pose (N,), and how long it took, s.
+
+    And which poses it says are unclear (N,); None where it was not asked.
+    """
 
     rows: Array
     counts: Indices
     seconds: float
+    unclear: Bools | None = None
 
 
 @dataclass(frozen=True)
@@ -99,24 +103,26 @@ def run_cpp(path: Path, ask: Asked) -> Found:
     return _called(path, ask, 'extern "C" ', ["g++", "-std=c++20", "-O1", "-march=native", "-ffp-contract=fast"])
 
 
-def _in_blocks(ask: Asked, rows_of: Callable[[Array, tuple[Array, ...]], tuple[Array, Bools]]) -> Found:
-    rows, counts, start = [], [], time.process_time()
+def _in_blocks(ask: Asked, rows_of: Callable[[Array, tuple[Array, ...]], tuple[Array, Bools, Bools]]) -> Found:
+    rows, counts, doubts, start = [], [], [], time.process_time()
     for first in range(0, len(ask.T), BLOCK):
         at = np.s_[first : first + BLOCK]
-        found, inside = rows_of(ask.T[at], () if ask.spare is None else (ask.q[at, ask.spare],))
+        found, inside, unclear = rows_of(ask.T[at], () if ask.spare is None else (ask.q[at, ask.spare],))
         rows.append(found[inside])
         counts.append(inside.sum(1))
-    return Found(np.concatenate(rows), np.concatenate(counts), time.process_time() - start)
+        doubts.append(unclear)
+    seconds = time.process_time() - start
+    return Found(np.concatenate(rows), np.concatenate(counts), seconds, np.concatenate(doubts))
 
 
 def run_python(path: Path, ask: Asked) -> Found:
     """Run the NumPy file on blocks of poses."""
     solver: Any = SimpleNamespace(**runpy.run_path(str(path)))
 
-    def rows_of(T: Array, values: tuple[Array, ...]) -> tuple[Array, Bools]:
-        found, valid, _ = solver.ik_all(T, *values)
+    def rows_of(T: Array, values: tuple[Array, ...]) -> tuple[Array, Bools, Bools]:
+        found, valid, unclear = solver.ik_all(T, *values)
         found, inside = solver._inside(found)
-        return found, inside & valid
+        return found, inside & valid, unclear
 
     return _in_blocks(ask, rows_of)
 
@@ -125,9 +131,9 @@ def run_jax(path: Path, ask: Asked) -> Found:
     """Run the JAX file, compiled, on blocks of poses."""
     solver: Any = SimpleNamespace(**runpy.run_path(str(path)))
 
-    def rows_of(T: Array, values: tuple[Array, ...]) -> tuple[Array, Bools]:
-        found, _, inside, _ = map(np.asarray, solver._compiled(T, *values))
-        return found, inside
+    def rows_of(T: Array, values: tuple[Array, ...]) -> tuple[Array, Bools, Bools]:
+        found, _, inside, unclear = map(np.asarray, solver._compiled(T, *values))
+        return found, inside, unclear
 
     return _in_blocks(ask, rows_of)
 

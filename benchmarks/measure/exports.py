@@ -14,20 +14,33 @@ import runpy
 import tempfile
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 import pieper
 from benchmarks.kept import RESULTS, commit, held, in_lines, read, write_text
 from benchmarks.measure.exported import LANGUAGES, Asked, Found
+from pieper.code.between import between, solved_by
 from pieper.code.program import RECORDED
-from pieper.kinematics.arrays import Bools, Indices
+from pieper.kinematics.arrays import Array, Bits, Bools, Indices
+from pieper.kinematics.pose import checked_pose
+from pieper.solver.redundant.at_values import rows_at_choice
+from pieper.solver.redundant.choice import choice
+from pieper.solver.verbs import ik_many
 
 #: Rows of two ways to one answer differ by no more than rounding at the exported arms (rad, m).
 ALIKE = 1e-7
 #: How poses are written down, of every ten those at odd places; None: as float32.
 DIGITS = (6, 8, 10, 12, None)
+
+
+class Native(NamedTuple):
+    """What the library answers: rows (N, slots, n), which of them lie inside the limits, flags (N,)."""
+
+    q: Array
+    in_limits: Bools
+    flag: Bits
 
 
 def asked(arm: pieper.Arm, poses: int) -> Asked:
@@ -36,21 +49,42 @@ def asked(arm: pieper.Arm, poses: int) -> Asked:
     reach = np.where(arm.chain.prismatic, arm.chain.length, np.pi)[:, None] * [-1.0, 1.0]
     limits = np.where(np.isfinite(arm.limits), arm.limits, reach)
     q = rng.uniform(limits[:, 0], limits[:, 1], (poses, arm.n))
+    own = between(arm.plan)
+    for j in own.fixed:
+        q[:, j] = own.columns[j]
     T = np.ascontiguousarray(arm.fk(q))
     for k, digits in enumerate(DIGITS):
         some = slice(1 + 2 * k, None, 2 * len(DIGITS))
         T[some] = np.float32(T[some]) if digits is None else np.round(T[some], digits)
-    spare = arm.plan.reduction.locked[0] if arm.plan.reduction.locked else None
-    return Asked(q, T, spare)
+    return Asked(q, T, own.held)
 
 
-def unclear(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, which: Indices) -> Bools:
-    """Return at which poses (k,) the native solver or the list of operations says that it is unsure.
+def native(arm: pieper.Arm, ask: Asked) -> Native:
+    """Return what the library answers, with joints to spare held where the file holds them.
 
-    Each language writes the same list down; the one of NumPy is asked. What is no list is the native solver itself.
+    Rows held in the numbers are asked for without the status of the batch: of poses that have none it would say whether
+    there are any at other values, which takes a hundred times as long and no file says.
+    """
+    plan, locked = arm.plan, list(arm.plan.reduction.locked)
+    value = ask.q[:, locked] if locked else None
+    if value is None or ask.spare is not None:
+        many = arm.ik_many(ask.T, threads=1, redundancy=value)
+        return Native(many.q, many.in_limits, many.flag)
+    poses, held = checked_pose(ask.T, batch=True), choice(plan, value, len(ask.T))
+    rows = rows_at_choice(plan, poses, held, 1, lambda own, T, threads: ik_many(own, T, threads).found)
+    return Native(rows.q, rows.inside, rows.flags)
+
+
+def unclear(arm: pieper.Arm, ask: Asked, many: Native, found: Found, which: Indices) -> Bools:
+    """Return at which poses (k,) the native solver or the file says that it is unsure.
+
+    Each language writes the same list of operations down; where the file itself was not asked, the one of NumPy is.
+    What is no list is the native solver itself.
     """
     marked = (many.flag[which] & 3) != 0
-    if not len(which) or arm.plan.family not in RECORDED:
+    if found.unclear is not None:
+        return np.asarray(marked | found.unclear[which])
+    if not len(which) or solved_by(arm.plan).family not in RECORDED:
         return marked
     values = () if ask.spare is None else (ask.q[which, ask.spare],)
     with tempfile.TemporaryDirectory() as place:
@@ -58,7 +92,7 @@ def unclear(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, which: Indi
     return np.asarray(marked | solver["ik_all"](ask.T[which], *values)[2])
 
 
-def compared(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, found: Found) -> dict[str, Any]:
+def compared(arm: pieper.Arm, ask: Asked, many: Native, found: Found) -> dict[str, Any]:
     """Return at how many poses the rows inside the limits are not the native ones, and at how many of those it is said.
 
     As many rows, each of them a native one, and each native one among them.
@@ -74,7 +108,7 @@ def compared(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, found: Fou
         wrong[some] |= ~same.any(1)
         met[some] |= same
     wrong |= ~met.all(1)
-    said = unclear(arm, ask, many, np.flatnonzero(wrong)).tolist()
+    said = unclear(arm, ask, many, found, np.flatnonzero(wrong)).tolist()
     return {
         "poses": len(ask.q),
         "rows": int(wanted.sum()),
@@ -84,7 +118,7 @@ def compared(arm: pieper.Arm, ask: Asked, many: pieper.SolutionBatch, found: Fou
     }
 
 
-def measured(arm: pieper.Arm, language: str, ask: Asked, many: pieper.SolutionBatch) -> dict[str, Any]:
+def measured(arm: pieper.Arm, language: str, ask: Asked, many: Native) -> dict[str, Any]:
     """Return an arm's solver in a language beside the native one."""
     with tempfile.TemporaryDirectory() as place:
         start = time.process_time()
@@ -137,8 +171,7 @@ def main() -> None:
                 if poses is None or many is None:
                     refused_early(arm, language)
                     poses = asked(arm, said.poses)
-                    value = None if poses.spare is None else poses.q[:, [poses.spare]]
-                    many = arm.ik_many(poses.T, threads=1, redundancy=value)
+                    many = native(arm, poses)
                 found = measured(arm, language, poses, many)
             except pieper.PlanError as refused:
                 found = {"refused": str(refused)}

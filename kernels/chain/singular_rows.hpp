@@ -39,6 +39,16 @@ struct SingularRows {
     diagonalise();
   }
 
+  // What part of the strongest direction the weakest is.
+  double weakest() {
+    double most = 0, least = INFINITY;
+    for (int i = 0; i < r; ++i) {
+      const double size = size_of(row(i), n);
+      most = std::fmax(most, size), least = std::fmin(least, size);
+    }
+    return least / most;
+  }
+
   // The shortest step (n) that does what is asked along directions stronger than this part of the strongest.
   void shortest(double cutoff, double* step) {
     double most = 0;

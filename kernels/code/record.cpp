@@ -75,15 +75,18 @@ template <class Own, class Family> bool record_group(nb::dict given, Rows& out) 
   return true;
 }
 
+// Rows are in the list where they are in reach, verified or not: a pose where one is not is unclear, and a file puts rows of
+// unclear poses back through forward kinematics. Otherwise a compiler that works the same truth out twice, rounded otherwise, says of
+// the row that it fails and of the pose that it is clear.
 bool record_parallel(nb::dict given, Rows& out) {
   const SphericalWristParallel own = read<SphericalWristParallel>(given);
   Branches<Recorded, 8, 6> found;
   SphericalWristParallelKernel::branches<Recorded>(own, the_pose(), found);
   for (int m = 0; m < 8; ++m) {
     for (int j = 0; j < 6; ++j) out.q[m][j] = found.q[m][j];
-    out.valid[m] = found.valid[m];
+    out.valid[m] = found.reached[m];
   }
-  out.unclear = found.degenerate;
+  out.unclear = found.degenerate | found.missed;
   return true;
 }
 

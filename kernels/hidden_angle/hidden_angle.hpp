@@ -270,7 +270,7 @@ template <class Family> void solve(const HiddenAngle& head, const typename Famil
       }
       put_rows(found[i], slides, q + 6 * M * at, valid + M * at);
       const int none = found[i].edge ? kOutOfReach | kEdge : kOutOfReach;
-      flag[at] = doubt ? kDegenerate | kUncertain : found[i].count ? 0 : none;
+      flag[at] = static_cast<std::uint8_t>(doubt ? kDegenerate | kUncertain : found[i].count ? 0 : none);
     }
   });
   waiting.solve(head, slides, q, valid, flag);

@@ -10,12 +10,14 @@ namespace pieper::PIEPER_ISA {
 
 // What a family fills for every pose. Slots of one meaning keep one index, so labels follow from the slot.
 template <class F, int Slots, int Joints> struct Branches {
-  F q[Slots][Joints];    // rad or m; any value where not valid
-  Mask<F> valid[Slots];  // verified by forward kinematics inside the family
-  Mask<F> degenerate;    // so near a singular pose that families or merged roots are possible
-  Mask<F> uncertain;     // the family cannot vouch that nothing is missing
-  Mask<F> out_of_reach;  // no solution, for reasons of reach
-  Mask<F> edge;          // nor is it clear that poses beside it have none
+  F q[Slots][Joints];      // rad or m; any value where not valid
+  Mask<F> valid[Slots];    // verified by forward kinematics inside the family
+  Mask<F> reached[Slots];  // in reach, verified or not
+  Mask<F> missed;          // a row in reach is not verified: rounding took too much, and the row may be missing
+  Mask<F> degenerate;      // so near a singular pose that families or merged roots are possible
+  Mask<F> uncertain;       // the family cannot vouch that nothing is missing
+  Mask<F> out_of_reach;    // no solution, for reasons of reach
+  Mask<F> edge;            // nor is it clear that poses beside it have none
 };
 
 // Poses [0, W) of T (row-major 4x4, 16 doubles each) into lanes.

@@ -36,12 +36,6 @@ if TYPE_CHECKING:
 
 #: How an arm with a linkage is calibrated.
 _BY_AXES = "Calibrate arm.uncoupled(), whose joints are the axes, at q @ arm.coupling.T."
-#: Who solves an arm with a linkage. Code of the axes alone would leave the poses that the linkage holds to its caller:
-#: axes of the uncoupled arm are parallel there.
-_ROWS = (
-    "Ask arm.ik or arm.ik_many for its solutions; on the command line, `pieper ik ARM @poses.csv --csv rows.csv` "
-    "writes those of a table."
-)
 
 
 class AtScale:
@@ -263,7 +257,6 @@ class AtScale:
         """
         from pieper.code.write import write
 
-        self.description.not_linked("code is written for arms of which every axis has a joint", _ROWS)
         return write(self, language, path, name)
 
     def reach_map(

@@ -260,6 +260,8 @@ def test_a_fit_is_asked_as_an_arm_is(name, terms):
         if one is not None:
             # by its place, as `Arm.ik` takes it
             assert len(fit.ik(T[i], redundancy=next(iter(one.values())))) == len(alone)
+    with pytest.raises(pieper.InputError, match=r"near must be a joint vector \(\d,\) or one a pose"):
+        fit.ik_many(T, near=asked[: len(T) // 2], redundancy=by_name)
     of, near = fit.ik_many(T, near=asked, redundancy=by_name)
     assert of.tolist() == list(range(6))
     assert np.abs(near - asked).max() < 1e-7

@@ -15,6 +15,7 @@ MAP = ["map", "denso-vp6242", "--step", "100"]
         ([*MAP, "--box", "-500 500 -500 500 0 700", "--workers", "-3"], "--workers takes none .0. or more, got -3"),
         ([*MAP, "--box", "-500 500 -500 500 0", "--workers", "2"], "--box takes six numbers .*got 5"),
         ([*MAP, "--box", "-500 500 -500 500 0 700", "--orientations", "12"], "--orientations takes two whole numbers"),
+        (["map", "dobot-mg400", "--box", "-500 500 -500 500 0 700", "--step", "200"], "ask in Python, where arm.reach"),
         ([*MAP[:2], "--step", "0.5", "--box", "-500 500 -500 500 0 700"], "give --out DIR, a larger --step"),
         (["code", "panda", "--to", "c", "--out", "-"], "--out takes the name of a file"),
     ],

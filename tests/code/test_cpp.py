@@ -67,9 +67,13 @@ ARMS = {
 }
 
 
+#: What a program may ask of every line it is made of.
+STRICT = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror")
+
+
 def compiled(folder, source, output, *flags):
     (folder / "unit.cpp").write_text(source)
-    command = ["g++", "-std=c++20", "-O1", "-ffp-contract=fast", "-Wall", "-Wextra", "-Werror", *flags]
+    command = ["g++", "-std=c++20", "-O1", "-ffp-contract=fast", *STRICT, *flags]
     subprocess.run([*command, "-o", output, "unit.cpp"], cwd=folder, check=True)
 
 

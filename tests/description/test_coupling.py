@@ -163,16 +163,3 @@ def test_a_leader_keeps_to_the_range_of_the_joints_that_follow_it():
         if inside.sum() == 0:
             assert np.allclose((low, high), own) or high - low < (own[1] - own[0]) / 500
             assert "were left out" in told[0] or low < high
-
-
-def test_code_of_an_arm_with_a_linkage_is_refused_with_what_solves_it(tmp_path):
-    arm = pieper.load("dobot-mg400")
-    with pytest.raises(
-        pieper.PlanError, match=r"linkage that moves level; .* Ask arm.ik or arm.ik_many .*--csv rows.csv"
-    ) as refused:
-        arm.code("c", tmp_path / "x.c")
-    assert "uncoupled" not in str(refused.value)
-    # the cure is one: rows of a pose that its linkage holds
-    q = np.array([0.3, 0.2, -0.4, 0.9])
-    many = arm.ik_many(arm.fk(q)[None])
-    assert np.abs(many.q[many.valid] - q).max(1).min() < 1e-9

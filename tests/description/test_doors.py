@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -214,6 +216,33 @@ def test_a_calibration_that_is_none_is_refused_where_it_is_wrong(tmp_path, was, 
     path.write_text(CALIBRATION.replace(was, now))
     with pytest.raises(InputError, match=message):
         pieper.ur_calibrated(path)
+
+
+def test_a_calibration_in_braces_or_behind_a_mark_is_the_same_and_other_units_are_refused(tmp_path):
+    import yaml
+
+    frames = yaml.safe_load(CALIBRATION)
+    texts = {
+        "mark": "\ufeff" + CALIBRATION,
+        "braces": yaml.safe_dump(frames, default_flow_style=True, width=60),
+        "json": json.dumps(frames),
+    }
+    (tmp_path / "own.yaml").write_text(CALIBRATION)
+    q = np.random.default_rng(5).uniform(-3, 3, (10, 6))
+    wanted = pieper.ur_calibrated(tmp_path / "own.yaml").fk(q)
+    for name, text in texts.items():
+        path = tmp_path / f"{name}.yaml"
+        path.write_text(text, encoding="utf-8")
+        assert np.abs(pieper.ur_calibrated(path).fk(q) - wanted).max() < 1e-15, name
+    own = {link: f for link, f in frames["kinematics"].items() if isinstance(f, dict)}
+    for keys, factor, words in (("x y z", 1000, "millimetres"), ("roll pitch yaw", 180 / np.pi, "degrees")):
+        other = {
+            link: {key: float(value) * (factor if key in keys.split() else 1) for key, value in f.items()}
+            for link, f in own.items()
+        }
+        (tmp_path / "other.yaml").write_text(yaml.safe_dump({"kinematics": other}))
+        with pytest.raises(InputError, match=words):
+            pieper.ur_calibrated(tmp_path / "other.yaml")
 
 
 def test_a_calibration_that_is_not_there_or_no_text_is_refused(tmp_path):

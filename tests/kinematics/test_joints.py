@@ -73,3 +73,30 @@ def test_whole_turns_of_joints_without_limits_are_the_nearest_of_all():
     q, near = rng.uniform(-3, 3, (2, 80, 6))
     found = turns.nearest(q, near, np.tile([-np.inf, np.inf], (6, 1)), np.ones(6))
     assert np.abs(found - near).max() < 1.1 * np.pi
+
+
+def test_whole_turns_outside_limits_are_those_that_are_outside_least():
+    rng = np.random.default_rng(0)
+    for case in range(300):
+        slides, coupling = rng.uniform(size=4) < 0.25, np.eye(4)
+        for _ in range(2 * (case % 2)):
+            i, j = sorted(rng.choice(4, 2, replace=False))
+            coupling[j, i] = rng.choice([-1, 0.5, 1, 0.003, -0.25])
+        middle, half = rng.uniform(-9, 9, 4), rng.uniform(0.05, 2.5, 4)
+        limits = np.c_[middle - half, middle + half]
+        limits = np.where(rng.uniform(size=(4, 2)) < 0.1, [-np.inf, np.inf], limits)
+        turns = WholeTurns(coupling, slides)
+        q = rng.uniform(-3, 3, 4)
+        over = np.maximum(JointSpace(slides, 1.0, turns if case % 2 else None).least_over(q[None], limits)[0], 0.0)
+        turning = np.flatnonzero(~slides)
+        counts = np.array(list(itertools.product(*[range(-5, 6)] * len(turning))), float)
+        tried = q + TURN * counts @ turns.inverse[:, turning].T
+        beyond = np.maximum(np.maximum(limits[:, 0] - tried, tried - limits[:, 1]), 0.0)
+        for block in turns.blocks if case % 2 else np.arange(4)[:, None]:
+            parts = [block[~slides[block]], block[slides[block]]]
+            first, second = (beyond[:, part].max(1, initial=0.0) for part in parts)
+            best = np.lexsort((second, np.round(first, 9)))[0]
+            own = [over[part].max(initial=0.0) for part in parts]
+            # five turns each way are not all there are
+            assert own[0] <= first[best] + 1e-9, case
+            assert own[0] < first[best] - 1e-9 or own[1] <= second[best] + 1e-9, case

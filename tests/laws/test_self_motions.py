@@ -166,3 +166,25 @@ def test_a_fold_on_every_point_of_a_surface_is_no_third_degree_of_freedom():
         along = np.array([1.0, -1.0, 0, 0, 0, 0]) / np.sqrt(2)
         motion = trace(arm.chain, q, arm.fk(q), np.tile([-np.inf, np.inf], (6, 1)), arm.joint_names, along)
         assert motion.dimension == 2
+
+
+#: Four parallel axes, then two whose turns the pose leaves to second order: every point of what is free is a fold.
+FOLDED = [
+    ((0.5, 0.3, 0.3, 0.7475), (-np.pi / 2, -np.pi / 2, np.pi / 2, np.pi / 2)),
+    ((0.5, 0.4, 0.3, 0.6), (0.3, 0.9, -0.5, 0.7)),
+    ((0.4, 0.4, 0.4, 0.5), (-0.4, 1.2, 0.8, -0.3)),
+]
+
+
+@pytest.mark.parametrize(("links", "turns"), FOLDED)
+def test_a_curve_of_folds_is_followed_and_told_once(links, turns):
+    """24 self-motions were told, 11 of them points: which of two null directions is the curve's no tangent says."""
+    twists = (np.pi, np.pi, 0.0, -np.pi / 2, -1.6286, np.pi / 2)
+    rows = [DH(a, twist, d, 0) for a, twist, d in zip((*links, 0, 0), twists, (0, 0.2, 0, 0, -0.1, 0), strict=True)]
+    arm = Arm.from_dh(rows, convention="standard")
+    q = np.array([*turns, 0.0, -np.pi / 2])
+    T = arm.fk(q)
+    (motion,) = arm.ik(T).self_motions
+    assert motion.closed and motion.dimension == 1 and motion.free == (0, 1, 2, 3)
+    assert motion.contains(q, 1e-5)
+    assert max(missed(arm.chain, arm.chain.joints.wrapped(motion.at(u)), T) for u in np.linspace(0, 1, 9)) < 1e-11

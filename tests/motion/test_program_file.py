@@ -118,6 +118,14 @@ def test_a_spline_is_not_written_as_a_line(tmp_path):
     assert np.abs(ARM.fk(motion.q[-1]) - TAUGHT[-1]).max() < 1e-6
 
 
+def test_a_spline_is_named_as_the_program_counts_and_not_as_a_file_does_that_cuts_circles(tmp_path):
+    round_ = program().move_c(None, shifted(x=-0.08), centre=T0[:3, 3] + [-0.04, 0.03, 0], the_long_way=True)
+    round_.move_s(TAUGHT + (shifted(x=-0.08) - T0))
+    with pytest.raises(InputError, match="^move 2 is a spline") as refused:
+        round_.write(tmp_path / "p.pcs")
+    assert refused.value.data["move"] == 2
+
+
 def test_a_circle_is_said_by_its_centre():
     centre, goal = T0[:3, 3] + [-0.04, 0.03, 0], shifted(x=-0.08)
     for long, side in ((False, -1), (True, 1)):

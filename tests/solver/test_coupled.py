@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import pickle
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -213,3 +214,29 @@ def test_virtual_joints_are_added_to_coupled_ones(name):
     q = joints(arm, 5)
     wanted = arm.chain.native.fk(q) @ rotation_z(np.full(5, 0.3)) @ pieper.pose(0, 0, 0.2)
     assert np.abs(chain.native.fk(np.hstack([q, np.full((5, 1), 0.3), np.full((5, 1), 0.2)])) - wanted).max() < 1e-14
+
+
+def test_what_breaks_a_limit_is_the_slide_that_is_far_outside_and_not_the_screw_that_could_be_wound():
+    rows = [pieper.DH(a=0.3, d=0.4), pieper.DH(a=0.25, alpha=np.pi), pieper.DH(), pieper.DH(d=0.05)]
+    screw = np.eye(4)
+    screw[2, 3] = 0.003
+    limits = [(-2.5, 2.5), (-2.5, 2.5), (0, 0.2), (-13, 13)]
+    arm = pieper.Arm.from_dh(rows, joint_types="RRPR", convention="standard", limits=limits, coupling=screw)
+    for z in (10, 50, 300, 700, 3e5):
+        sols = arm.ik(pieper.pose(0.3, 0.1, z, rpy=(np.pi, 0, 0)))
+        least = min(min(abs(q[2] + screw[2, 3] * 2 * np.pi * k) for k in range(-2, 3)) for q in sols.all_q)
+        said = re.search(r"exceeds joint_3 by ([\d.e+]+) m[.m]", sols.why)
+        assert said, sols.why
+        metres = float(said[1]) / (1000 if f"{said[1]} mm" in sols.why else 1)
+        assert abs(metres - least) < 0.02 + 1e-3 * least, (z, sols.why, least)
+
+
+@pytest.mark.parametrize("far", [1e13, 1e160])
+def test_no_arm_takes_a_place_that_no_metres_can_mean(far):
+    for name in ("stanford-arm", "denso-vp6242", "epson-g6-651s"):
+        arm = pieper.load(name)
+        T = arm.fk(np.full(arm.n, 0.1))
+        T[2, 3] = far
+        for asked in (arm.ik, lambda T, arm=arm: arm.ik_many(T[None])):
+            with pytest.raises(pieper.InputError, match="metres are meant"):
+                asked(T)

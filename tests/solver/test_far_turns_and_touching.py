@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
 import pieper
 from oracle.joints import turns_apart
-from pieper.kinematics.joints import JointSpace
-from pieper.kinematics.whole_turns import WholeTurns
 from pieper.solver.counted import most_met
 from pieper.solver.singular.at_limits import _touching
 from pieper.solver.singular.merged_roots import merged_root
 from pieper.solver.singular.trace import trace
-from pieper.solver.words.why import _least_over
 from pieper.tolerances import CONTAINS
 
 SPARE = "kuka-lbr-iiwa-14-r820"
@@ -124,20 +119,6 @@ def test_the_rank_of_a_plan_is_how_many_things_the_arm_can_do_at_once(name):
     arm = pieper.load(name)
     J = arm.jacobian(np.random.default_rng(9).uniform(-1, 1, (20, arm.n)))
     assert arm.plan_for("pose").rank == np.linalg.matrix_rank(J, tol=1e-9).max()
-
-
-def test_of_coupled_turns_and_a_slide_the_least_offending_variant_counts_slides_in_lengths():
-    prismatic, coupling = np.array([False, False, True]), np.array([[1.0, 0, 0], [0.5, 1.0, 0], [0, 0.3, 1.0]])
-    joints, rng = JointSpace(prismatic, 4.0, WholeTurns(coupling, prismatic)), np.random.default_rng(1)
-    for _ in range(40):
-        middle, half = rng.uniform(-2, 2, 3), rng.uniform(0.1, 1.5, 3)
-        limits = np.stack([middle - half, middle + half], 1)
-        q = middle + rng.uniform(1, 3, 3) * half * rng.choice([-1, 1], 3)
-        chain = SimpleNamespace(joints=SimpleNamespace(first=lambda count: joints))
-        over = _least_over(SimpleNamespace(chain=chain, limits=limits, n=3, prismatic=prismatic), q)
-        variants = joints.variants(q, limits + 6.0 * joints.unit[:, None] * np.array([-1, 1]))
-        every = np.maximum(limits[:, 0] - variants, variants - limits[:, 1]) / joints.unit
-        assert abs((over / joints.unit).max() - every.max(1).min()) < 1e-9
 
 
 def test_a_surface_contains_what_holds_the_pose_far_from_every_line_on_it():

@@ -75,4 +75,9 @@ def test_a_file_that_is_refused_names_the_step_and_not_the_move():
     message = program(wait, grip, spline) | {"start": start.tolist(), "dialect": "rapid", "name": "program"}
     with pytest.raises(Refused, match="^Step 3 is a spline, which rapid"):
         programs.write(arm, message)
+    aside = {"kind": "joint", "q": (start + 0.02).tolist()}
+    back = {"kind": "joint", "q": start.tolist()}
+    again = program(aside, back, {"kind": "call", "first": 1, "last": 2, "times": 1}, spline)
+    with pytest.raises(Refused, match="^Step 4 is a spline, which rapid"):
+        programs.write(arm, message | again)
     assert programs.write(arm, message | {"dialect": "csv"})["text"]

@@ -75,7 +75,7 @@ class SphericalWristParallelKernel {
     F M[3][3], w[3];
     into_base(P, T, M, w);
     Shoulder<F> shoulder = start_shoulder(P, w);
-    Mask<F> none = mask_of<F>(true), beyond = mask_of<F>(true);
+    Mask<F> none = mask_of<F>(true), beyond = mask_of<F>(true), missed = mask_of<F>(false);
 #pragma GCC unroll 2
     for (int side = 0; side < 2; ++side) {
       Arm<F> arm = turn_shoulder(P, M, w, shoulder, F(side ? -1.0 : 1.0));
@@ -88,18 +88,20 @@ class SphericalWristParallelKernel {
         const int slot = 4 * side + 2 * e;
         for (int j = 0; j < 6; ++j) out.q[slot][j] = answer.q[j];
         out.valid[slot] = ok;
+        out.reached[slot] = e ? answer.reached & elbow.two : answer.reached;
+        missed = missed | (out.reached[slot] & !ok);
         // the other turn of the wrist: th4 + pi, -th5, th6 + pi, the same rotation exactly
-        for (int j = 0; j < 3; ++j) out.q[slot + 1][j] = answer.q[j];
-        for (int j = 0; j < 3; ++j) out.q[slot + 1][3 + j] = answer.flipped[j];
+        for (int j = 0; j < 3; ++j) out.q[slot + 1][j] = answer.q[j], out.q[slot + 1][3 + j] = answer.flipped[j];
         out.valid[slot + 1] = ok & answer.two;
+        out.reached[slot + 1] = out.reached[slot] & answer.two;
         shoulder.degenerate = shoulder.degenerate | (answer.degenerate & ok);
         none = none & !ok;
       }
       shoulder.degenerate = shoulder.degenerate | elbow.degenerate;
       beyond = beyond & elbow.beyond;
     }
-    out.degenerate = shoulder.degenerate;
-    out.uncertain = none & shoulder.degenerate & shoulder.reached;
+    out.degenerate = shoulder.degenerate, out.missed = missed;
+    out.uncertain = (none & shoulder.degenerate & shoulder.reached) | missed;
     out.out_of_reach = none;
     out.edge = none & !(shoulder.beyond | beyond);
   }
@@ -116,17 +118,14 @@ class SphericalWristParallelKernel {
       w[i] = F(w1[i]);
     }
     F side, sense;
-    for (int k = 0; k < 4; ++k) {
-      side.v[k] = k < 2 ? 1.0 : -1.0;
-      sense.v[k] = k == 0 || k == 3 ? -1.0 : 1.0;
-    }
+    for (int k = 0; k < 4; ++k) side.v[k] = k < 2 ? 1.0 : -1.0, sense.v[k] = k == 0 || k == 3 ? -1.0 : 1.0;
     Shoulder<F> shoulder = start_shoulder(P, w);
     Arm<F> arm = turn_shoulder(P, M, w, shoulder, side);
     arm.ok = arm.ok & (shoulder.two_sides | (side > 0.0));
     Elbow<F> elbow = start_elbow(P, arm);
     Answer<F> answer = bend_and_turn_wrist(P, M, arm, elbow, sense);
     Mask<F> second = (side * sense) > 0.0;  // slot with elbow 1
-    Mask<F> ok = answer.ok & (elbow.two | !second);
+    const Mask<F> there = elbow.two | !second, ok = answer.ok & there;
     const unsigned bits = bits_of(ok), two = bits_of(answer.two);
     const bool degenerate = any(shoulder.degenerate | elbow.degenerate | (answer.degenerate & ok));
     for (int k = 0; k < 4; ++k) {
@@ -139,9 +138,10 @@ class SphericalWristParallelKernel {
         b[j] = both_ok ? (j < 3 ? answer.q[j].v[k] : answer.flipped[j < 3 ? 0 : j - 3].v[k]) : 0.0;
       }
     }
-    *flag = static_cast<std::uint8_t>((degenerate ? kDegenerate : 0) | (bits ? 0 : kOutOfReach) |
-                                      (!bits && degenerate && any(shoulder.reached) ? kUncertain : 0) |
-                                      (bits || all(shoulder.beyond | elbow.beyond) ? 0 : kEdge));
+    *flag = static_cast<std::uint8_t>(
+        (degenerate ? kDegenerate : 0) | (bits ? 0 : kOutOfReach) |
+        ((!bits && degenerate && any(shoulder.reached)) || any(answer.reached & there & !ok) ? kUncertain : 0) |
+        (bits || all(shoulder.beyond | elbow.beyond) ? 0 : kEdge));
   }
 
  private:
@@ -164,8 +164,8 @@ class SphericalWristParallelKernel {
     Mask<F> ok, two, centred, degenerate, beyond;
   };
   template <class F> struct Answer {
-    F q[6], flipped[3];  // flipped: q4, q5, q6 of the wrist's other turn
-    Mask<F> ok, two, degenerate;
+    F q[6], flipped[3];                    // flipped: q4, q5, q6 of the wrist's other turn
+    Mask<F> ok, two, degenerate, reached;  // reached: verified or not
   };
 
   // The pose seen from B, with the tool taken off: M = B^-1 R C and the wrist centre.
@@ -367,7 +367,7 @@ class SphericalWristParallelKernel {
     off += abs(c4 * turned_x - s4 * s6 - mx[0]) + abs(s4 * turned_x + c4 * s6 - my[0]) + abs(s5 * c6 + mz0);
     off += abs(c4 * s5 - mx[2]) + abs(s4 * s5 - my[2]);
     off += kTwoColumns * (abs((s5 * s5 - 1.0) + mz * mz) + abs((s6 * s6 - 1.0) + c6 * c6));
-    out.ok = e.ok & (arm.off + off <= verified_within(P));
+    out.reached = e.ok, out.ok = e.ok & (arm.off + off <= verified_within(P));
     return out;
   }
 

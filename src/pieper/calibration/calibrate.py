@@ -25,7 +25,7 @@ from pieper.kinematics.arrays import Array, ArrayLike, Bools
 from pieper.kinematics.forward import checked_joints
 from pieper.kinematics.pose import PoseLike
 from pieper.solver.plan.planned_arm import NominalArm
-from pieper.tolerances import EXPLAINS_NOTHING, FIRST_NOISE, LEAST_NOISE, SAME_MEASUREMENT
+from pieper.tolerances import EXPLAINS_NOTHING, FIRST_NOISE, LEAST_NOISE, SAME_MEASUREMENT, SUSPICIOUS
 from pieper.words_by_number import plural
 
 LOSSES = ("linear", "huber")
@@ -137,9 +137,13 @@ def _refuse_strangers(found: Fitted, q: Array) -> None:
     T = found.model.fk(q)
     way, _ = found.data.misses(T)
     missed = float(np.median(np.linalg.norm(way[~found.outliers], axis=1))) if (~found.outliers).any() else 0.0
-    said = found.data.values[:, None] if found.data.kind == "distance" else T[:, :3, 3]
-    vary = float(np.median(np.linalg.norm(said - np.median(said, axis=0), axis=1)))
-    if vary > LEAST_NOISE and missed > EXPLAINS_NOTHING * vary:
+    moved, measured = _spread(T[:, :3, 3]), _spread(found.data.values.reshape(len(q), -1))
+    vary = measured if found.data.kind == "distance" else moved
+    explains_nothing = missed > EXPLAINS_NOTHING * vary
+    if found.data.kind == "plane" and missed > EXPLAINS_NOTHING * measured > 0 and missed > SUSPICIOUS * moved:
+        # on a plane that was touched heights are noise, and the arm is there
+        vary, explains_nothing = measured, True
+    if vary > LEAST_NOISE and explains_nothing:
         raise InputError(
             f"even the fitted arm misses the data by {missed:.3g} m (median), where they vary by {vary:.3g} m: "
             "read so, joints and measurements do not belong together. Rows may be shuffled or out of step by "
@@ -147,6 +151,11 @@ def _refuse_strangers(found: Fitted, q: Array) -> None:
             missed=missed,
             vary=vary,
         )
+
+
+def _spread(x: Array) -> float:
+    """Return how far points (N, k) usually are from their middle."""
+    return float(np.median(np.linalg.norm(x - np.median(x, axis=0), axis=1)))
 
 
 def _fitted(

@@ -21,7 +21,7 @@ from pieper.description.axes import described_by_axes
 from pieper.description.carry import carried
 from pieper.description.dh import Description
 from pieper.document.writing import whole_file
-from pieper.errors import PlanError
+from pieper.errors import InputError, PlanError
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.forward import checked_joints, checked_weights
 from pieper.kinematics.pose import PoseLike, as_pose
@@ -197,8 +197,14 @@ class Fit:
         of, q = inside_limits(self.model, self.nominal.limits, values)
         if near is None:
             return poses[of], q
-        there = checked_joints(near, self.nominal.n, prismatic=self.model.prismatic)
-        return nearest_of(poses[of], q, np.broadcast_to(there, (len(as_pose(Ts)), self.nominal.n)), space, counts)
+        there, count = checked_joints(near, self.nominal.n, "near", self.model.prismatic), len(as_pose(Ts))
+        if there.shape not in ((self.nominal.n,), (count, self.nominal.n)):
+            raise InputError(
+                f"near must be a joint vector ({self.nominal.n},) or one a pose ({count}, {self.nominal.n}), got "
+                f"{there.shape}.",
+                given=there.shape,
+            )
+        return nearest_of(poses[of], q, np.broadcast_to(there, (count, self.nominal.n)), space, counts)
 
     def _described(self, gears: Array, limits: Array) -> Description:
         same = np.array_equal(gears, np.eye(self.nominal.n))

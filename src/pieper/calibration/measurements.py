@@ -12,7 +12,7 @@ from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, rotation_vector, skew
-from pieper.tolerances import TURN_SERIES
+from pieper.tolerances import LEAST_NOISE, TURN_SERIES
 from pieper.words_by_number import plural
 
 KINDS = ("pose", "position", "distance", "plane")
@@ -172,9 +172,10 @@ def noise_of(sigma: ArrayLike | Sequence[float] | None) -> tuple[float, float] |
     if sigma is None:
         return None
     said = np.atleast_1d(arguments.numbers(sigma, "sigma", "(metres, radians)"))
-    if said.shape not in ((1,), (2,)) or not np.isfinite(said).all() or said.min() <= 0:
+    if said.shape not in ((1,), (2,)) or not np.isfinite(said).all() or said.min() < LEAST_NOISE:
         raise InputError(
-            f"sigma must be (metres, radians), the positive noise of one number measured, or None; got {sigma!r}.",
+            "sigma must be (metres, radians), the noise of one number measured, positive and at least "
+            f"{LEAST_NOISE:g}, or None; got {sigma!r}.",
             given=sigma,
         )
     return float(said[0]), float(said[-1])

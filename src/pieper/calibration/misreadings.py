@@ -17,7 +17,7 @@ from pieper.calibration.units import of_one_size, units_of
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.pose import inverse
-from pieper.tolerances import CURED, LEAST_NOISE, MISREAD, SUSPICIOUS
+from pieper.tolerances import CURED, LEAST_NOISE, MISREAD, SUSPICIOUS, TINY
 
 #: Rows by which joints and measurements may be out of step.
 LAGS = (1, -1, 2, -2, 3, -3, 4, -4, 5, -5)
@@ -49,6 +49,7 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
     """
     now = misfit(model, q, data, length)
     if not now > SUSPICIOUS:
+        _refuse_all_shrunk(model, q, data, length)
         return
     best, least_by = None, MISREAD * now
     for reading in _readings(model, q, data, names, length):
@@ -71,6 +72,35 @@ def refuse_misreadings(model: AxesModel, q: Array, data: Measurements, names: tu
             left=after[0],
             **best.facts,
         )
+
+
+def _refuse_all_shrunk(model: AxesModel, q: Array, data: Measurements, length: float) -> None:
+    """Raise where joints that hardly move are beside small measurements, and other units explain both as they vary.
+
+    An arm that is said to move by a degree misses little, whatever was measured: it is compared with its own places.
+    """
+    now = _beside_spread(model, q, data)
+    if not now > SUSPICIOUS:
+        return
+    best, least = None, min(SUSPICIOUS, MISREAD * now)
+    for reading in units_of(model, q, data, length):
+        left = _beside_spread(model, reading.q, reading.data)
+        if left < least:
+            best, least = reading, left
+    if best is not None:
+        raise InputError(
+            f"the data miss the nominal arm by {now:.0%} of how far its tool moves (median), and by {least:.1%} if "
+            f"{best.words}. {best.cure}",
+            misfit=missed(model, q, data)[0],
+            left=missed(model, best.q, best.data)[0],
+            **best.facts,
+        )
+
+
+def _beside_spread(model: AxesModel, q: Array, data: Measurements) -> float:
+    """Return the median miss of the nominal arm as a part of how far its tool usually is from its places' middle."""
+    p = model.fk(q)[:, :3, 3]
+    return missed(model, q, data)[0] / max(float(np.median(np.linalg.norm(p - np.median(p, axis=0), axis=1))), TINY)
 
 
 def _or_another_joint(

@@ -11,6 +11,7 @@ import numpy as np
 from pieper.calibration.measurements import Measurements
 from pieper.calibration.model import AxesModel
 from pieper.calibration.reading import Reading
+from pieper.calibration.turned_less import as_degrees
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.joints import TURN
 from pieper.tolerances import MISREAD
@@ -65,15 +66,19 @@ def units_of(model: AxesModel, q: Array, data: Measurements, length: float) -> I
     sure = bool(turning.any()) and float(np.median(np.abs(q[:, turning]))) > TURN
     angles = _allowed((angle > TURN, _DEGREES), (0 < angle <= np.radians(TURN), _RADIANS))
     slides = _allowed(*((slide > FAR * length, unit) for unit in _LARGER), (0 < slide < NOTHING * length, _METRES))
-    # heights over a plane are none where it was touched
-    small = data.kind != "plane" and 0 < place < NOTHING * length
+    small = 0 < place < NOTHING * length
     places = _allowed(*((place > length, unit) for unit in _LARGER), (small, _METRES))
-    for d, s, m in itertools.product(angles, slides, places):
+    turned = [None, *(as_degrees(data.values[:, :3, :3]) if data.kind == "pose" else [])]
+    for d, s, m, R in itertools.product(angles, slides, places, turned):
         changed = [unit for unit in (d, s, m) if unit is not _AS_GIVEN]
-        if not changed:
+        if not changed and R is None:
             continue
         words = [f"the joint angles are {d.words}"] * (d is not _AS_GIVEN)
         cures = [d.cure.format(of="(q)" if turning.all() else " of the joints that turn")] * (d is not _AS_GIVEN)
+        if R is not None:
+            too = ["the joint angles and those of the measured poses"] * (d is _RADIANS)
+            words = [f"{(too or ['the angles of the measured poses'])[0]} are {_RADIANS.words}", *words[len(too) :]]
+            cures.append("Make the poses of their angles as they are.")
         for unit in dict.fromkeys(changed):
             lengths = ["the slides"] * (s is unit) + ["what was measured"] * (m is unit)
             if lengths:
@@ -82,8 +87,9 @@ def units_of(model: AxesModel, q: Array, data: Measurements, length: float) -> I
                     unit.cure.format(what=" and ".join(lengths).replace("what was measured", "the measured lengths"))
                 )
         told = q * np.where(turning, d.factor, s.factor)
-        scaled = data if m is _AS_GIVEN else _scaled(data, m.factor)
-        facts: dict[str, object] = {"unit": ", ".join(dict.fromkeys(unit.short for unit in changed))}
+        scaled = data if m is _AS_GIVEN and R is None else _scaled(data, m.factor, R)
+        shorts = [unit.short for unit in changed] + [_RADIANS.short] * (R is not None)
+        facts: dict[str, object] = {"unit": ", ".join(dict.fromkeys(shorts))}
         # with something else wrong beside them several miss alike: angles of more than a turn are likelier degrees
         freedom = 1 / LIKELIER if d is _DEGREES and sure else 1.0
         yield Reading(" and ".join(words), " ".join(cures), told, scaled, facts, freedom, units_alone=True)
@@ -111,9 +117,11 @@ def _largest(numbers: Array) -> float:
     return float(np.abs(numbers).max(initial=0.0))
 
 
-def _scaled(data: Measurements, factor: float) -> Measurements:
+def _scaled(data: Measurements, factor: float, R: Array | None) -> Measurements:
     values = data.values * factor
     if data.kind == "pose":
         values = data.values.copy()
         values[:, :3, 3] *= factor
+        if R is not None:
+            values[:, :3, :3] = R
     return replace(data, values=values)

@@ -100,6 +100,7 @@ def _misuse(sentence: str) -> int:
 #: What the library's sentences say of its arguments, and how a command is asked the same.
 _WORDS = {
     "give a store=, a larger step": "give --out DIR, a larger --step",
+    "give its own, orientations= rotations": "ask in Python, where arm.reach_map takes orientations= rotations",
     "hold= what is known, or fit fewer joint_terms": "--hold what is known, or fit fewer --terms",
 }
 _DEGREES = re.compile(

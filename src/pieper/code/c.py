@@ -7,12 +7,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pieper.code.between import ASKED
+from pieper.code.between import ASKED, held_words
+from pieper.code.c_linked import lines, linked, own_row
 from pieper.code.c_pose import ANGLE, RIGID, nearest_of
+from pieper.code.c_walk import walk
 from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.language import USUAL, Language, Notation, filled, functions
-from pieper.code.staged import assign, loop_lines, packed, staged
+from pieper.code.language import USUAL, Language, Notation, counted, filled, functions
+from pieper.code.staged import assign, loop_lines, staged
 from pieper.tolerances import CLOSES, FILLED_STARTS, POLAR_SETTLES
 
 C = Language(
@@ -44,27 +46,27 @@ int NAME_self_test(void): how many of @TESTS@ stored poses fail: 0. With -DNAME_
 */
 #include <math.h>
 
-@LIMITS@static const int NAME_slides[N] = @SLIDES@;
-static const double NAME_base[3][4] = @BASE@;
+@LIMITS@static const int NAME_slides[AXES] = @SLIDES@;
+@JOINT_SLIDES@static const double NAME_base[3][4] = @BASE@;
 
 @ANGLE@@RIGID@
 @WALK@
-@NEAREST@@COUPLED@void NAME_fk(const double q[N], double T[16]) {
+@AXES_AT@@NEAREST@@COUPLED@void NAME_fk(const double q[N], double T[16]) {
 @TO_AXES@  NAME_walk(@V@, T, 0);
   T[12] = T[13] = T[14] = 0;
   T[15] = 1;
 }
 
 void NAME_jacobian(const double q[N], double J[6][N]) {
-  double T[12], axes[N][6];
+  double T[12], axes[AXES][6]@BY_AXES@;
   int i, k;
 @TO_AXES@  NAME_walk(@V@, T, axes);
-  for (i = 0; i < N; ++i)
+  for (i = 0; i < AXES; ++i)
     for (k = 0; k < 3; ++k) {
       const double *z = axes[i], *p = axes[i] + 3;
       const int a = (k + 1) % 3, b = (k + 2) % 3;
-      J[k][i] = NAME_slides[i] ? z[k] : z[a] * (T[4 * b + 3] - p[b]) - z[b] * (T[4 * a + 3] - p[a]);
-      J[3 + k][i] = NAME_slides[i] ? 0 : z[k];
+      @OF_AXES@[k][i] = NAME_slides[i] ? z[k] : z[a] * (T[4 * b + 3] - p[b]) - z[b] * (T[4 * a + 3] - p[a]);
+      @OF_AXES@[3 + k][i] = NAME_slides[i] ? 0 : z[k];
     }
 @GEARED@}
 
@@ -73,7 +75,7 @@ static int NAME_same(const double *a, const double *b, double most) {
   int j;
   for (j = 0; j < N; ++j) {
     double d = fabs(a[j] - b[j]);
-    if (!NAME_slides[j]) d = fabs(d - 6.28318530717958647693 * floor(d / 6.28318530717958647693 + 0.5));
+    if (!@JOINTS_SLIDE@[j]) d = fabs(d - 6.28318530717958647693 * floor(d / 6.28318530717958647693 + 0.5));
     if (!(d < most)) return 0;
   }
   return 1;
@@ -160,25 +162,17 @@ int main(void) {
 """.replace("@RIGID@", RIGID).replace("@ANGLE@", ANGLE)
 
 
-def lines(texts: Sequence[str], into: str, margin: str = "  ") -> str:
-    """Return assignments to the entries of an array."""
-    return "".join(f"{margin}{into}[{j}] = {text};\n" for j, text in enumerate(texts))
-
-
 def own_parts(export: Export) -> dict[str, str]:
     """Return what C says of what lies between the arm's joints and the six that are solved; C++ says it so too."""
-    return {
-        name: re.sub(r"\bN\b", str(export.n), re.sub(r"\bN1\b", str(export.n + 1), text))
-        for name, text in _own_parts(export).items()
-    }
+    return {name: counted(text, export) for name, text in _own_parts(export).items()}
 
 
 def _own_parts(export: Export) -> dict[str, str]:
-    own, n = export.between, export.n
+    own = export.between
     held = own.held is not None
     parts = {
-        "SLOTS": str(export.plan.spec.max_solutions),
-        "ROOM": str(max(8, export.plan.spec.max_solutions)),
+        "SLOTS": str(export.solved.spec.max_solutions),
+        "ROOM": str(max(8, export.solved.spec.max_solutions)),
         "LIMITS": ""
         if own.tied is None
         else f"static const double NAME_lower[N] = {C.numbers(export.lower)};\n"
@@ -191,21 +185,19 @@ def _own_parts(export: Export) -> dict[str, str]:
         "VALUE_SAID": "value, " if held else "",
         "SAID": f"    value: where joint {own.held + 1} is held, rad or m; it has one to spare.\n"
         if own.held is not None
-        else "",
+        else f"    {held_words(own)}" * bool(own.fixed),
         "POSE": "given" if held else "T",
         "MOVED": _moved(export) if held else "",
-        "OWN_ROW": lines(
-            ["value" if column is None else f"rows[m][{column}]" for column in own.columns], "own", "    "
-        ),
-        "NEAREST": nearest_of(own, export.plan.chain.length),
-        "BACK": ", back[12]" if own.filled else "",
-        "WALKED": "" if own.filled else "      double back[12];\n      NAME_walk(own, back, 0);\n",
+        "OWN_ROW": own_row(own),
+        "NEAREST": nearest_of(own, export.solved.chain.length),
+        "BACK": ", back[12]" if own.weights else "",
+        "WALKED": "" if own.weights else "      double back[12];\n      NAME_walk(own, back, 0);\n",
         "FILLED": "".join(
             f"    keep = keep && fabs(rows[m][{column}]) < {FILLED_STARTS * unit!r};\n" for column, unit in own.filled
         )
         + (
             f"    keep = keep && NAME_nearest(own, {'given' if held else 'T'}, back) < {CLOSES!r};\n"
-            if own.filled
+            if own.weights
             else ""
         ),
         # two slots may say one row where a joint is filled or slides, and else where roots merge, which is a doubt
@@ -217,16 +209,22 @@ def _own_parts(export: Export) -> dict[str, str]:
         if len(own.tested) == len(ASKED["pose"])
         else f"      static const int tested[] = {{{', '.join(map(str, own.tested))}}};\n",
         "TEST_VALUE": f"q[i][{own.held}], " if held else "",
-        **dict.fromkeys(("COUPLED", "TO_AXES", "GEARED", "FROM_AXES", "TIED", "LABEL_AXES"), ""),
+        **dict.fromkeys(("AXES_AT", "COUPLED", "TO_AXES", "GEARED", "FROM_AXES", "TIED", "LABEL_AXES"), ""),
         "V": "q",
         "LABELLED": "q",
         "FOUND_AXES": "",
         "FOUND_ROW": "rows[k], q[i]",
+        "BY_AXES": ", by[6][AXES]" if own.linked else "",
+        "OF_AXES": "by" if own.linked else "J",
+        "JOINT_SLIDES": f"static const int NAME_joint_slides[N] = {_slides(export.joints_slide)};\n" * own.linked,
+        "JOINTS_SLIDE": "NAME_joint_slides" if own.linked else "NAME_slides",
     }
-    if own.gears is None:
+    if own.gears is None or own.back is None:
         return parts
+    if own.linked:
+        return parts | linked(own.gears, own.back, own)
     wrap = (
-        f"  for (j = 0; j < {n}; ++j)\n    if (!NAME_slides[j]) q[j] -= 6.28318530717958647693 * "
+        "  for (j = 0; j < N; ++j)\n    if (!NAME_slides[j]) q[j] -= 6.28318530717958647693 * "
         "ceil((q[j] - 3.14159265358979323846) / 6.28318530717958647693);\n"
     )
     parts |= {
@@ -274,6 +272,10 @@ def _own_parts(export: Export) -> dict[str, str]:
     return parts
 
 
+def _slides(slides: Sequence[bool]) -> str:
+    return C.listed(C.truths[int(s)] for s in slides)
+
+
 def _moved(export: Export) -> str:
     """Return the lines that take the held joint off a pose."""
     own = export.between
@@ -312,56 +314,10 @@ def _moved(export: Export) -> str:
     return out
 
 
-def walk(export: Export) -> str:
-    """Return forward kinematics, a row of the pose at a time, without what is zero or one."""
-    said: list[str] = []
-    turns = [j for j, slides in enumerate(export.slides) if not slides]
-    x, y, z, p = "x", "y", "z", "p"
-    for j, (slides, link) in enumerate(zip(export.slides, export.links[1:], strict=True)):
-        said.append(f"if (axes) axes[{j}][k] = {z}, axes[{j}][3 + k] = {p};")
-        if slides:
-            said.append(f"const double p{j} = {p} + q[{j}] * {z};")
-            p = f"p{j}"
-        else:
-            said.append(f"const double x{j} = c{j} * {x} + s{j} * {y}, y{j} = c{j} * {y} - s{j} * {x};")
-            x, y = f"x{j}", f"y{j}"
-        columns, names = [x, y, z], []
-        for name, column in zip("uvwp", link.T, strict=True):
-            text = _sum(column, columns, p if name == "p" else "")
-            if text not in (x, y, z, p):
-                said.append(f"const double {name}_{j} = {text};")
-                text = f"{name}_{j}"
-            names.append(text)
-        x, y, z, p = names
-    own = [f"const double c{j} = cos(q[{j}]), s{j} = sin(q[{j}]);" for j in turns]
-    start = ["const double x = NAME_base[k][0], y = NAME_base[k][1], z = NAME_base[k][2], p = NAME_base[k][3];"]
-    end = [f"T[4 * k{f' + {j}' if j else ''}] = {text};" for j, text in enumerate((x, y, z, p))]
-    return (
-        "/* To the tool; z and p of each joint's frame into axes where that is not null. */\n"
-        "static void NAME_walk(const double *q, double *T, double (*axes)[6]) {\n"
-        + "\n".join(packed([f"  {line}" for line in own]))
-        + "\n  int k;\n  for (k = 0; k < 3; ++k) {\n"
-        + "\n".join(packed([f"    {line}" for line in [*start, *said, *end]]))
-        + "\n  }\n}\n"
-    )
-
-
-def _sum(factors: Sequence[float], names: Sequence[str], first: str) -> str:
-    """Return a sum of multiples, those of zero left out."""
-    out = first
-    for factor, name in zip(factors, names, strict=True):
-        if factor == 0:
-            continue
-        size = "" if abs(factor) == 1 else f"{abs(float(factor))!r} * "
-        sign = "-" if factor < 0 else ""
-        out += f" {sign or '+'} {size}{name}" if out else f"{sign}{size}{name}"
-    return out or "0"
-
-
 def _inside(export: Export) -> dict[str, str]:
     """Return the lines that turn joints inside their limits by whole turns where one can, and what says so."""
     own, turned, truths = export.between, "", []
-    for j, (low, high, slides) in enumerate(zip(export.lower, export.upper, export.slides, strict=True)):
+    for j, (low, high, slides) in enumerate(zip(export.lower, export.upper, export.joints_slide, strict=True)):
         whole = own.gears is None and not slides  # comes in (-pi, pi]
         kept = slides or (own.tied is not None and bool(own.tied[j]))
         if whole and low <= -np.pi and high >= np.pi:

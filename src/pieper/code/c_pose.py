@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pieper.code.between import Between
+from pieper.code.between import STEPS, Between
 from pieper.tolerances import CLOSES, HOLDS_TO_ROUNDING, NEWTON_FINITE
 
 #: The kernels' arctangent (kernels/lanes/math.hpp) without a branch: what is not known beforehand is looked up. A
@@ -57,37 +57,38 @@ static int NAME_rigid(const double *T, double *X) {
 #: By how many squares of a step (rad, lengths of the arm) what is missed may depart from its straight model, and more:
 #: entries of a pose have second derivatives of at most a length of the arm, twelve of them count.
 BENDS = 8.0
-#: Of arms with filled joints: a row becomes the joint vector whose pose comes nearest to what was asked.
+#: Of arms with filled or linked joints: a row becomes the joint vector whose pose comes nearest to what was asked.
 NEAREST = """
 /* Least squares: the joint vector whose pose comes nearest to T; its pose, P, and by how much that misses. */
 static double NAME_nearest(double *q, const double *T, double *P) {
   static const int tested[] = {@ENTRIES_TESTED@};
   static const double weight[] = {@WEIGHTS@};
+  double miss = 0;
   int step, i, j, k;
   for (step = 0;; ++step) {
-    double axes[N][6], A[N][N1] = {{0}}, g[N], miss = 0, left, size = 0;
-    NAME_walk(q, P, axes);
-    for (k = 0; k < @ENTRIES@; ++k) {
+    double axes[AXES][6], A[N][N1] = {{0}}, g[N], left, size = 0;
+@TO_AXES@    NAME_walk(@V@, P, axes);
+    for (miss = 0, k = 0; k < @ENTRIES@; ++k) {
       const double r = weight[k] * (T[tested[k]] - P[tested[k]]);
       miss += r * r;
     }
-    if (step == 3 || miss < @SETTLED@) return sqrt(miss);
+    if (step == @STEPS@ || miss < @SETTLED@) break;
     for (k = 0; k < @ENTRIES@; ++k) {
       const int e = tested[k], c = e % 4, a = (e / 4 + 1) % 3, b = (e / 4 + 2) % 3;
       const double r = weight[k] * (T[e] - P[e]);
-      double D[N];
-      for (j = 0; j < N; ++j) {
+      double D[N]@BY@;
+      for (j = 0; j < AXES; ++j) {
         const double *z = axes[j], *p = axes[j] + 3, o = c == 3;
         const double turned = z[a] * (P[4 * b + c] - o * p[b]) - z[b] * (P[4 * a + c] - o * p[a]);
-        D[j] = weight[k] * (NAME_slides[j] ? o * z[e / 4] : turned);
+        @OF@[j] = weight[k] * (NAME_slides[j] ? o * z[e / 4] : turned);
       }
-      for (i = 0; i < N; ++i) {
+@BY_JOINTS@@FIXED@      for (i = 0; i < N; ++i) {
         for (j = 0; j < N; ++j) A[i][j] += D[i] * D[j];
         A[i][N] += D[i] * r;
       }
     }
     for (i = 0; i < N; ++i) A[i][i] *= 1 + @DAMPED@, g[i] = A[i][N];
-    for (i = 0; i < N; ++i)
+@HOLDING@    for (i = 0; i < N; ++i)
       for (k = i + 1; k < N; ++k) {
         const double by = A[k][i] / A[i][i];
         for (j = i; j <= N; ++j) A[k][j] -= by * A[i][j];
@@ -100,18 +101,22 @@ static double NAME_nearest(double *q, const double *T, double *P) {
     /* What no step takes away: the least the straight model leaves, but for twice what it bends by on the way. */
     for (left = miss, i = 0; i < N; ++i) {
       left -= g[i] * A[i][N];
-      size += fabs(A[i][N]) * (NAME_slides[i] ? @PER_LENGTH@ : 1);
+      size += fabs(A[i][N]) * (@JOINTS_SLIDE@[i] ? @PER_LENGTH@ : 1);
     }
     size = 2 * @CLOSES@ + @BENDS@ * size * size;
     if (left > size * size) return sqrt(left);
   }
+  for (j = 0; j < N; ++j)
+    if (!@JOINTS_SLIDE@[j])
+      q[j] -= 6.28318530717958647693 * ceil((q[j] - 3.14159265358979323846) / 6.28318530717958647693);
+  return sqrt(miss);
 }
 """
 
 
 def nearest_of(own: Between, length: float) -> str:
-    """Return the function that brings rows nearest to the pose, of arms with filled joints; else nothing."""
-    if not own.filled:
+    """Return the function that brings rows nearest to the pose, of arms with filled or linked joints; else nothing."""
+    if not own.weights:
         return ""
     text = NEAREST.replace("@ENTRIES_TESTED@", ", ".join(map(str, own.tested)))
     text = text.replace("@WEIGHTS@", ", ".join(map(repr, own.weights))).replace("@ENTRIES@", str(len(own.tested)))
@@ -119,4 +124,22 @@ def nearest_of(own: Between, length: float) -> str:
     text = (
         text.replace("@PER_LENGTH@", repr(1 / length)).replace("@CLOSES@", repr(CLOSES)).replace("@BENDS@", repr(BENDS))
     )
+    by_joints = ""
+    if own.linked and own.gears is not None:
+        by_joints = "".join(
+            f"      D[{j}] = {sum_};\n" for j, sum_ in enumerate(own.sums(own.gears.T, "by[{}]".format))
+        )
+    said = {
+        "STEPS": str(STEPS),
+        "TO_AXES": "    double v[AXES];\n    NAME_axes(q, v);\n" if own.linked else "",
+        "V": "v" if own.linked else "q",
+        "BY": ", by[AXES]" if own.linked else "",
+        "OF": "by" if own.linked else "D",
+        "BY_JOINTS": by_joints,
+        "FIXED": "".join(f"      D[{j}] = 0;\n" for j in own.fixed),
+        "HOLDING": "".join(f"    A[{j}][{j}] = 1;\n" for j in own.fixed),
+        "JOINTS_SLIDE": "NAME_joint_slides" if own.linked else "NAME_slides",
+    }
+    for word, what in said.items():
+        text = text.replace(f"@{word}@", what)
     return text.removeprefix("\n") + "\n"

@@ -266,7 +266,7 @@ def _between(parts: dict[str, str]) -> str:
     own = own[:first] + own[last:]
     own = re.sub(r"^(int|void|const char \*)(?= ?NAME_)", r"inline \1", own, flags=re.MULTILINE)
     own = re.sub(r"^static (int|void|double) (?=NAME_\w+\()", r"static inline \1 ", own, flags=re.MULTILINE)
-    for name in ("COUPLED", "NEAREST", "WALK", "TURNS"):
+    for name in ("AXES_AT", "COUPLED", "NEAREST", "WALK", "TURNS"):
         parts[name] = re.sub(r"^static (int|void|double) ", r"static inline \1 ", parts[name], flags=re.MULTILINE)
     at = own.index("/* 0 where v is positive")
     return "#include <math.h>\n" + own[:at] + MANY + own[at:]
@@ -274,7 +274,7 @@ def _between(parts: dict[str, str]) -> str:
 
 def text(export: Export) -> str:
     """Return the file's text."""
-    plan, own = export.plan, export.between
+    plan, own = export.solved, export.between
     family, header = header_of(plan.family)
     numbers, general = numbers_of(plan.spec.geometry)
     six = plan.reduction.six(plan.defaults)
@@ -295,8 +295,8 @@ def text(export: Export) -> str:
         "SIX_LINKS": CPP.numbers(six.links.ravel()),
         "SIX_LOWER": CPP.numbers(lower),
         "SIX_UPPER": CPP.numbers(upper),
-        "SIX_SLIDES": CPP.listed(CPP.truths[int(s)] for s in six.prismatic),
-        "SLIDE_BITS": str(sum(1 << j for j, s in enumerate(export.slides) if s)),
+        "SIX_SLIDES": CPP.listed(CPP.truths[int(s)] for s in six.sliding),
+        "SLIDE_BITS": str(sum(1 << j for j, s in enumerate(export.joints_slide) if s)),
         "VALUE_LAST": "" if own.held is None else ", double value",
         "LAST": "" if own.held is None else ", value",
         "PROGRAM": SOLVED.replace("@SLOTS@", slots).rstrip("\n"),

@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from pieper import arguments
-from pieper.code.between import Between, between
+from pieper.code.between import Between, between, solved_by
 from pieper.code.labels import Labels, labels_of
 from pieper.code.program import Program, recorded
 from pieper.errors import InputError, PieperWarning, PlanError
@@ -43,8 +43,9 @@ class Export:
     Args:
         name: The prefix of functions, where a language needs one.
         plan: How the arm is solved.
-        links: (n + 1, 3, 4) constant links of the chain, m.
-        slides: (n,) which joints slide.
+        solved: The plan whose six joints are solved; another one where a linkage moves axes or joints are held.
+        links: (axes + 1, 3, 4) constant links of the chain, m.
+        slides: (axes,) which axes slide.
         lower: (n,) limits, rad or m, a rounding wider than said; infinite where there is none.
         upper: (n,) the same.
         q: (20, n) joint vectors of the self-test.
@@ -57,6 +58,7 @@ class Export:
 
     name: str
     plan: Plan
+    solved: Plan
     links: Array
     slides: tuple[bool, ...]
     lower: Array
@@ -71,7 +73,17 @@ class Export:
     @property
     def n(self) -> int:
         """Number of joints."""
+        return len(self.lower)
+
+    @property
+    def axis_count(self) -> int:
+        """Number of axes, more than joints where a linkage moves some."""
         return len(self.slides)
+
+    @property
+    def joints_slide(self) -> tuple[bool, ...]:
+        """(n,) which joints slide."""
+        return self.slides if self.between.joints_slide is None else self.between.joints_slide
 
     @cached_property
     def program(self) -> Program:
@@ -80,7 +92,7 @@ class Export:
         Raises:
             PlanError: The family cannot be written so.
         """
-        return recorded(self.plan)
+        return recorded(self.solved)
 
     @cached_property
     def labels(self) -> Labels:
@@ -88,11 +100,11 @@ class Export:
         return labels_of(self.plan.uncoupled or self.plan)
 
 
-def _refuse_what_is_no_formula(plan: Plan) -> None:
+def _refuse_what_is_no_formula(plan: Plan, solved: Plan) -> None:
     name = plan.name
     if plan.snapped:
         raise PlanError(f"{name}: its geometry was snapped, and the polishing that follows is a loop: give exact axes.")
-    if plan.solver.ends is not None:
+    if solved.solver.ends is not None:
         raise PlanError(f"{name}: its base or tool is too far away to be written into one formula; take it off.")
 
 
@@ -110,7 +122,8 @@ def export(arm: PlannedArm, name: str) -> Export:
             given=name,
         )
     plan = arm.plan
-    _refuse_what_is_no_formula(plan)
+    solved = solved_by(plan)
+    _refuse_what_is_no_formula(plan, solved)
     own = between(plan)
     with warnings.catch_warnings():
         # limits far from zero were remarked where they were said; postures inside them are no news
@@ -121,7 +134,7 @@ def export(arm: PlannedArm, name: str) -> Export:
     said = np.ascontiguousarray(np.concatenate([plan.chain.links.ravel(), plan.limits.ravel(), coupling.ravel()]))
     header = (
         f"Inverse and forward kinematics of {' '.join(plan.name.split())}: every solution of a pose.",
-        f"Written by {made_by} from its own kernel, family {plan.family}; do not edit.",
+        f"Written by {made_by} from its own kernel, family {solved.family}; do not edit.",
         f"Links, limits and couplings: sha256 {hashlib.sha256(said.tobytes()).hexdigest()[:16]}. Metres and radians.",
         f"Source of the numbers: {' '.join((arm.description.source or 'not said').split())}",
         LICENCE,
@@ -129,8 +142,9 @@ def export(arm: PlannedArm, name: str) -> Export:
     return Export(
         name,
         plan,
+        solved,
         plan.chain.links[:, :3],
-        tuple(bool(s) for s in plan.prismatic),
+        tuple(bool(s) for s in plan.chain.sliding),
         plan.limits[:, 0] - LIMIT_SLACK,
         plan.limits[:, 1] + LIMIT_SLACK,
         q,
@@ -152,12 +166,14 @@ def _postures(plan: Plan, own: Between) -> tuple[Array, Array, tuple[int, ...]]:
     limits = _tried(plan)
     # six digits of a joint vector and twelve of what follows are enough for the test, and short in the file
     q = np.round(rng.uniform(limits[:, 0], limits[:, 1], (40 * TESTS, plan.n)), DIGITS)
+    for j in own.fixed:
+        q[:, j] = own.columns[j]
     T = np.round(fk(plan.chain, q), 12)
-    count, clear, back = _asked(plan, own, q, T)
+    count, clear, back = _asked(plan, q, T)
     clear &= np.abs(back - q).max(1) < 0.1 * SAME_SOLUTION  # not next to a singular one, where digits are lost
     some = np.flatnonzero(clear)[: 2 * ROUNDED]
     rounded = np.round(T[some], DIGITS)
-    again, held, nearest = _asked(plan, own, q[some], rounded)
+    again, held, nearest = _asked(plan, q[some], rounded)
     # of an arm that was asked for less than a pose the whole of it is not what rows return
     meant = np.abs(fk(plan.chain, nearest) - checked_pose(rounded, batch=True)).max((1, 2)) < VERIFIED
     kept = np.flatnonzero(held & meant)[:ROUNDED]
@@ -181,9 +197,10 @@ def _tried(plan: Plan) -> Array:
     return np.where(near, plan.limits, window)
 
 
-def _asked(plan: Plan, own: Between, q: Array, T: Array) -> tuple[Array, Bools, Array]:
+def _asked(plan: Plan, q: Array, T: Array) -> tuple[Array, Bools, Array]:
     """Return how many rows of poses lie inside (N,), at which there is a clear one, and the row nearest to q (N, n)."""
-    found = ik_many(plan, T, 1, None if own.held is None else q[:, [own.held]], near=q)
+    locked = list(plan.reduction.locked)
+    found = ik_many(plan, T, 1, q[:, locked] if locked else None, near=q)
     count = found.in_limits.sum(1)
     clear = ((found.flag & int(Flag.DEGENERATE | Flag.UNCERTAIN)) == 0) & (count > 0)
     return count, clear, found.nearest

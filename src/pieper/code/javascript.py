@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from pieper.code.between import held_words
+from pieper.code.between import STEPS, Between, held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
-from pieper.code.language import USUAL, Language, filled, functions
+from pieper.code.language import USUAL, Language, counted, filled, functions
 from pieper.code.program import LoopWords
 from pieper.tolerances import CLOSES, FILLED_STARTS, HOLDS_TO_ROUNDING, NEWTON_FINITE
 
@@ -81,7 +81,7 @@ function rigid(pose) {
 
 function walk(q, visit) {
   const T = LINKS[0].slice();
-  for (let i = 0; i < N; ++i) {
+  for (let i = 0; i < AXES; ++i) {
     const c = Math.cos(q[i]), s = Math.sin(q[i]), L = LINKS[i + 1];
     if (visit) visit(i, T);
     for (let k = 0; k < 12; k += 4) {
@@ -107,7 +107,7 @@ function jacobian(q) {
     p.push([F[3], F[7], F[11]]);
   });
   const J = [[], [], [], [], [], []];
-  for (let i = 0; i < N; ++i)
+  for (let i = 0; i < AXES; ++i)
     for (let k = 0; k < 3; ++k) {
       const a = (k + 1) % 3, b = (k + 2) % 3;
       J[k].push(SLIDES[i] ? z[i][k] : z[i][a] * (T[4 * b + 3] - p[i][b]) - z[i][b] * (T[4 * a + 3] - p[i][a]));
@@ -116,10 +116,10 @@ function jacobian(q) {
   return @GEARED@;
 }
 
-function same(a, b, most) {
-  for (let j = 0; j < N; ++j) {
+function same(a, b, most, slides = SLIDES) {
+  for (let j = 0; j < a.length; ++j) {
     let d = Math.abs(a[j] - b[j]);
-    if (!SLIDES[j]) d = Math.abs(d - TURN * Math.round(d / TURN));
+    if (!slides[j]) d = Math.abs(d - TURN * Math.round(d / TURN));
     if (!(d < most)) return false;
   }
   return true;
@@ -133,10 +133,9 @@ function ikAll(pose@VALUE@) {
   const unclear = @UNCLEAR@;
   const kept = [];
   for (let m = 0; m < 8; ++m) {
-    const own = [@OWN_ROW@];
-    if (!valid[m] || @FILLED@@BROUGHT@kept.some((row) => same(row, own, 1e-9))) continue;
+@OWN_ROW@    if (!valid[m] || @FILLED@@BROUGHT@kept.some((row) => same(row, own, 1e-9@SAME_SLIDES@))) continue;
     if (@DOUBT@) {
-      const back = walk(own);
+      const back = walk(@BACK_AT@);
       if (!@TESTED@.every((k) => Math.abs(back[k] - @POSE@[k]) < @VERIFIED@)) continue;
     }
     kept.push(own);
@@ -192,26 +191,31 @@ function selfTest() {
 NEAREST = """// Least squares: q becomes the joint vector whose pose comes nearest to T; by how much it misses.
 function nearest(q, T) {
   const tested = @TESTED@, weights = @WEIGHTS@;
-  for (let step = 0; ; ++step) {
-    const axes = [], P = walk(q, (i, F) => axes.push([F[2], F[6], F[10], F[3], F[7], F[11]]));
+  for (let step = 0, moved = 1; ; ++step) {
+    const axes = [], P = walk(@BACK_AT@, (i, F) => axes.push([F[2], F[6], F[10], F[3], F[7], F[11]]));
     const r = tested.map((e, k) => weights[k] * (T[e] - P[e]));
     const miss = r.reduce((sum, x) => sum + x * x, 0);
-    if (step === 3 || miss < @SETTLED@) return Math.sqrt(miss);
-    const D = axes.map((z, j) => tested.map((e, k) => {
+    if (step === @STEPS@ || moved < @ROUNDING@ || miss < @SETTLED@) {
+      q.forEach((x, j) => (q[j] = @JOINTS_SLIDE@[j] ? x : x - TURN * Math.ceil((x - Math.PI) / TURN)));
+      return Math.sqrt(miss);
+    }
+    const @OF_AXES@ = axes.map((z, j) => tested.map((e, k) => {
       const c = e % 4, o = c === 3 ? 1 : 0, i = (e - c) / 4, a = (i + 1) % 3, b = (i + 2) % 3;
       const turned = z[a] * (P[4 * b + c] - o * z[3 + b]) - z[b] * (P[4 * a + c] - o * z[3 + a]);
       return weights[k] * (SLIDES[j] ? o * z[i] : turned);
     }));
-    const times = (u, v) => u.reduce((sum, x, k) => sum + x * v[k], 0);
+@BY_JOINTS@@FIXED@    const times = (u, v) => u.reduce((sum, x, k) => sum + x * v[k], 0);
     const A = D.map((u, i) => [...D.map((v, j) => times(u, v) * (i === j ? 1 + @DAMPED@ : 1)), times(u, r)]);
-    for (let i = 0; i < N; ++i)
+@HOLDING@    for (let i = 0; i < N; ++i)
       for (let k = i + 1; k < N; ++k) {
         const by = A[k][i] / A[i][i];
         for (let j = i; j <= N; ++j) A[k][j] -= by * A[i][j];
       }
+    moved = 0;
     for (let i = N - 1; i >= 0; --i) {
       for (let j = i + 1; j < N; ++j) A[i][N] -= A[i][j] * A[j][N];
       q[i] += A[i][N] /= A[i][i];
+      moved = Math.max(moved, Math.abs(A[i][N]));
     }
   }
 }
@@ -235,23 +239,16 @@ def _own_parts(export: Export) -> dict[str, str]:
         "TEST_VALUE": f", Q[i][{own.held}]" if held else "",
         "POSE": "given" if held else "T",
         "MOVED": _moved(export) if held else "",
-        "OWN_ROW": ", ".join("value" if column is None else f"rows[m][{column}]" for column in own.columns),
+        "OWN_ROW": f"    const own = [{', '.join(own.axes('rows[m][{}]'.format))}];\n",
+        "SAME_SLIDES": ", JOINTS_SLIDE" if own.linked else "",
+        "BACK_AT": "axesAt(own)" if own.linked else "own",
         "FILLED": "".join(f"Math.abs(rows[m][{k}]) >= {FILLED_STARTS * unit!r} || " for k, unit in own.filled),
-        "BROUGHT": f"!(nearest(own, {'given' if held else 'T'}) < {CLOSES!r}) || " if own.filled else "",
-        "NEAREST": NEAREST.replace("@TESTED@", str(list(own.tested)))
-        .replace("@WEIGHTS@", str(list(own.weights)))
-        .replace("@DAMPED@", repr(NEWTON_FINITE))
-        .replace("@SETTLED@", repr(HOLDS_TO_ROUNDING**2))
-        .replace("N;", f"{export.n};")
-        .replace("<= N", f"<= {export.n}")
-        .replace("N - 1", f"{export.n} - 1")
-        .replace("[N]", f"[{export.n}]")
-        if own.filled
-        else "",
+        "BROUGHT": f"!(nearest(own, {'given' if held else 'T'}) < {CLOSES!r}) || " if own.weights else "",
+        "NEAREST": _nearest(export),
         "DOUBT": "true" if own.always else "unclear",
         "TESTED": str(list(own.tested)),
         "KEPT": "kept",
-        "ALONE": "SLIDES[j]" if own.tied is None else "(SLIDES[j] || TIED[j])",
+        "ALONE": "JOINTS_SLIDE[j]" if own.linked else "SLIDES[j]" if own.tied is None else "(SLIDES[j] || TIED[j])",
         "V": "q",
         "GEARED": "J",
         "LABELLED": "q",
@@ -260,20 +257,24 @@ def _own_parts(export: Export) -> dict[str, str]:
     }
     if own.gears is None:
         return parts
-    wrap = "q.map((x, j) => (SLIDES[j] ? x : x - TURN * Math.ceil((x - Math.PI) / TURN)))" if own.wraps else "q"
+    slides = "JOINTS_SLIDE" if own.linked else "SLIDES"
+    wrap = f"q.map((x, j) => ({slides}[j] ? x : x - TURN * Math.ceil((x - Math.PI) / TURN)))" if own.wraps else "q"
+    assert own.back is not None
     parts |= {
         "COUPLED": "// The joints are coupled: where the axes are at joint vectors q, and back.\n"
         f"const GEARS = {JAVASCRIPT.numbers(own.gears)};\nconst BACK = {JAVASCRIPT.numbers(own.back)};\n"
         "const times = (M, v) => M.map((row) => row.reduce((sum, x, j) => sum + x * v[j], 0));\n"
         "const axesAt = (q) => times(GEARS, q);\n"
-        f"function jointsAt(v) {{\n  const q = times(BACK, v);\n  return {wrap};\n}}\n\n",
+        f"const wrapped = (q) => {wrap};\nconst jointsAt = (v) => wrapped(times(BACK, v));\n\n",
         "V": "axesAt(q)",
-        "GEARED": "J.map((row) => GEARS.map((_, j) => row.reduce((sum, x, i) => sum + x * GEARS[i][j], 0)))",
+        "GEARED": "J.map((row) => GEARS[0].map((_, j) => row.reduce((sum, x, i) => sum + x * GEARS[i][j], 0)))",
         "KEPT": "kept.map(jointsAt)",
         "LABELLED": "joints",
         "LABEL_AXES": "  const q = axesAt(joints);\n",
         "FOUND_ROW": "axesAt(row), axesAt(Q[i])",
     }
+    if own.linked:
+        return parts | _linked(own, parts)
     if own.tied is None or own.moves is None or own.weight is None:
         return parts
     parts["COUPLED"] += (
@@ -289,6 +290,50 @@ def _own_parts(export: Export) -> dict[str, str]:
     )
     parts["TIED"] = "  moveInside(q);\n"
     return parts
+
+
+def _nearest(export: Export) -> str:
+    """Return the function that brings a row nearest to its pose, of arms that need it."""
+    own = export.between
+    if not own.weights:
+        return ""
+    by_joints = (
+        "    const D = GEARS[0].map((_, j) =>\n"
+        "      tested.map((_, k) => GEARS.reduce((sum, row, i) => sum + row[j] * by[i][k], 0)));\n"
+    )
+    said = {
+        "TESTED": str(list(own.tested)),
+        "WEIGHTS": str(list(own.weights)),
+        "DAMPED": repr(NEWTON_FINITE),
+        "SETTLED": repr(HOLDS_TO_ROUNDING**2),
+        "ROUNDING": repr(HOLDS_TO_ROUNDING),
+        "STEPS": str(STEPS),
+        "JOINTS_SLIDE": "JOINTS_SLIDE" if own.linked else "SLIDES",
+        "BACK_AT": "axesAt(q)" if own.linked else "q",
+        "OF_AXES": "by" if own.linked else "D",
+        "BY_JOINTS": by_joints if own.linked else "",
+        "FIXED": "".join(f"    D[{j}].fill(0);\n" for j in own.fixed),
+        "HOLDING": "".join(f"    A[{j}][{j}] = 1;\n" for j in own.fixed),
+    }
+    text = NEAREST
+    for word, what in said.items():
+        text = text.replace(f"@{word}@", what)
+    return counted(text, export)
+
+
+def _linked(own: Between, parts: dict[str, str]) -> dict[str, str]:
+    """Return what is said of axes that a linkage moves: the joints' numbers follow from their own axes."""
+    slides = JAVASCRIPT.listed(JAVASCRIPT.truths[int(s)] for s in own.joints_slide or ())
+    return {
+        "COUPLED": f"const JOINTS_SLIDE = {slides};\n{parts['COUPLED']}"
+        "// Whether the linkage puts the axes at v, nearly, where the joints are at q.\n"
+        f"const STARTS = {JAVASCRIPT.numbers(own.starts)};\nconst linked = (v, q) =>\n  axesAt(q).every((x, j) => {{\n"
+        "    const d = Math.abs(v[j] - x);\n"
+        "    return (SLIDES[j] ? d : Math.abs(d - TURN * Math.round(d / TURN))) < STARTS[j];\n  });\n\n",
+        "OWN_ROW": parts["OWN_ROW"].replace("own", "at", 1) + "    const own = times(BACK, at);\n",
+        "FILLED": parts["FILLED"] + "!linked(at, own) || ",
+        "KEPT": "kept.map(wrapped)",
+    }
 
 
 def _moved(export: Export) -> str:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from pieper.code.export import Export
 from pieper.code.language import filled
 from pieper.code.program import LoopWords
-from pieper.code.python import LABEL, RIGID, arrays, own_parts
-from pieper.tolerances import NEWTON_FINITE
+from pieper.code.python import LABEL, RIGID, arrays, nearest_of, own_parts
 
 NEAREST = """
 
@@ -15,12 +14,16 @@ def _nearest(q, Ts):
     tested, weights = jnp.array(@TESTED@), jnp.array(@WEIGHTS@)
 
     def one(q, T):
-        miss = lambda q: weights * (T - _walk(q)).ravel()[tested]
-        for _ in range(3):
-            D = -jax.jacfwd(miss)(q)
+        miss = lambda q: weights * (T - _walk(q@AT_AXES@)).ravel()[tested]
+
+        def step(_, q):
+            D = -jax.jacfwd(miss)(q)@HOLDING@
             A = D.T @ D
-            q = q + jnp.linalg.solve(A + @DAMPED@ * jnp.trace(A) * jnp.eye(len(q)), D.T @ miss(q))
-        return q, jnp.sqrt((miss(q) ** 2).sum())
+            return q + jnp.linalg.solve(A + @DAMPED@ * jnp.trace(A) * jnp.eye(len(q)), D.T @ miss(q))
+
+        q = jax.lax.fori_loop(0, @STEPS@, step, q)
+        turned = q - _TURN * jnp.ceil((q - jnp.pi) / _TURN)
+        return jnp.where(@JOINTS_SLIDE@, q, turned), jnp.sqrt((miss(q) ** 2).sum())
 
     return jax.vmap(jax.vmap(one, (0, None)))(q, Ts)
 
@@ -106,10 +109,11 @@ def NAME_ik_all(Ts@VALUES@):
     six = jnp.where(valid[..., None], six, 0.0)
 @ROW_VALUE@@OWN_ROW@    q = jnp.where(valid[..., None], q, 0.0)
     gap = jnp.abs(q[:, :, None] - q[:, None])
-    gap = jnp.where(SLIDES_, gap, jnp.abs(gap - _TURN * jnp.round(gap / _TURN))).max(-1)
+    gap = jnp.where(@JOINTS_SLIDE@, gap, jnp.abs(gap - _TURN * jnp.round(gap / _TURN))).max(-1)
     earlier = jnp.tril(jnp.ones((8, 8), bool), -1)
     valid = valid & ~((gap < 1e-9) & earlier & valid[:, None]).any(-1)
-    away = jnp.abs(jax.vmap(jax.vmap(_walk))(q) - Ts[:, None]).reshape(-1, 8, 16)[..., jnp.array(@TESTED@)].max(-1)
+    away = jnp.abs(jax.vmap(jax.vmap(_walk))(q@AT_AXES@) - Ts[:, None]).reshape(-1, 8, 16)
+    away = away[..., jnp.array(@TESTED@)].max(-1)
     valid = valid & (~(@DOUBT@)[:, None] | (away < @VERIFIED@))
 @FROM_AXES@@MOVE@    low, high = _ALONE & (q < LOWER), _ALONE & (q > UPPER)
     q = jnp.where(low, q + _TURN * jnp.ceil(jnp.where(low, LOWER - q, 0.0) / _TURN), q)
@@ -170,14 +174,10 @@ def text(export: Export) -> str:
     """Return the file's text."""
     own = export.between
     parts = own_parts(export, "jnp") | {
-        "NEAREST": NEAREST.replace("@TESTED@", str(list(own.tested)))
-        .replace("@WEIGHTS@", str(list(own.weights)))
-        .replace("@DAMPED@", repr(NEWTON_FINITE))
-        if own.filled
-        else "",
+        "NEAREST": nearest_of(own, NEAREST),
         "TEST_VALUES": "" if own.held is None else f", q[:, {own.held}]",
         "GEARED_T": "" if own.gears is None else " @ _GEARS.T",
-        "ALONE_IS": "~SLIDES_" if own.tied is None else "~SLIDES_ & ~_TIED",
+        "ALONE_IS": "~_JOINTS_SLIDE" if own.linked else "~SLIDES_" if own.tied is None else "~SLIDES_ & ~_TIED",
     }
     frame = FRAME.replace("@LABEL@", LABEL).replace("@RIGID@", RIGID.replace("MODULE", "jnp"))
     return filled(frame, arrays("jnp", fixed_steps).parts(export) | parts, export)

@@ -92,7 +92,7 @@ class Notation:
             "LOWER": self.numbers(export.lower),
             "UPPER": self.numbers(export.upper),
             "SLIDES": self.listed(self.truths[int(s)] for s in export.slides),
-            "LINKS": self.numbers(export.links.reshape(export.n + 1, 12)),
+            "LINKS": self.numbers(export.links.reshape(-1, 12)),
             "VERIFIED": repr(export.verified),
             "ACCEPTED": repr(ROTATION_ACCEPTED),
             "DEFAULT": repr(export.between.default),
@@ -152,9 +152,15 @@ def finite_or(infinity: str) -> Callable[[float], str]:
     return lambda x: repr(x) if np.isfinite(x) else infinity if x > 0 else f"-{infinity}"
 
 
+def counted(text: str, export: Export) -> str:
+    """Return a text with the counts of joints (N, and N1, which is one more) and of axes (AXES, AXES1) in place."""
+    counts = {"N": export.n, "N1": export.n + 1, "AXES": export.axis_count, "AXES1": export.axis_count + 1}
+    return re.sub(r"(?<![@\w])(N1?|AXES1?)(?![@\w])", lambda found: str(counts[found[1]]), text)
+
+
 def filled(frame: str, parts: dict[str, str], export: Export) -> str:
-    """Return a frame with its @WORDS@, its count of joints and its NAME_ in place; no part is looked into."""
+    """Return a frame with its @WORDS@, its counts of joints and axes and its NAME_ in place; no part is looked into."""
     parts = parts | {"TESTS": str(len(export.q))}
-    own = re.sub(r"\bN\b", str(export.n), re.sub(r"\bN1\b", str(export.n + 1), frame))
+    own = counted(frame, export)
     own = own.replace("NAME_", f"{export.name}_")
     return re.sub(r"@([A-Z_]+)@", lambda found: parts[found[1]].replace("NAME_", f"{export.name}_"), own)

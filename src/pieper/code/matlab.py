@@ -5,14 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
+from pieper.code.between import STEPS, held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions
 from pieper.code.matlab_many import IK_MANY, INSIDE, MOVE, ROWS
 from pieper.code.program import LoopWords
-from pieper.tolerances import CLOSES, FILLED_STARTS
+from pieper.tolerances import CLOSES, FILLED_STARTS, HOLDS_TO_ROUNDING
 
 
 class Matlab(Language):
@@ -70,19 +69,36 @@ function [q, miss] = nearest(q, T)
   % least squares: the joint vector whose pose comes nearest to T; by how much it misses
   tested = @TESTED@;
   weights = @WEIGHTS@';
-  for step = 0:3
+  for step = 0:@STEPS@
     [P, J] = NAME_fk(q@AS_AXES@);
     r = (T - P)';
     r = weights .* r(tested)';
     miss = norm(r);
-    if step == 3, break; end
+    if step == @STEPS@ || (step > 0 && max(abs(move)) < @SETTLED@), break; end
     D = zeros(numel(tested), numel(q));
     for j = 1:numel(q)
       way = [cross(repmat(J(4:6, j), 1, 3), P(1:3, 1:3)), J(1:3, j); 0 0 0 0]';
       D(:, j) = weights .* way(tested)';
     end
-    q = q + (pinv(D) * r)';
+@FIXED@    move = (pinv(D) * r)';
+    q = q + move;
   end
+  turns = ~logical(@JOINTS_SLIDE@);
+  q(turns) = q(turns) - 2 * pi * ceil((q(turns) - pi) / (2 * pi));
+end
+"""
+#: Of axes that a linkage moves: rows (m, axes) become joint vectors.
+LINKED = """
+function [q, kept] = linked(v)
+  % the joint vectors that put the joints' own axes at v; which have the linkage put the others there too, nearly
+  gears = GEARS;
+  back = BACK;
+  slides = logical(SLIDES);
+  q = v * back';
+  off = abs(v - q * gears');
+  turned = abs(off - 2 * pi * round(off / (2 * pi)));
+  off(:, ~slides) = turned(:, ~slides);
+  kept = all(bsxfun(@lt, off, STARTS), 2);
 end
 """
 IK_ALL = """function [q, unclear] = NAME_ik_all(T@VALUE@)
@@ -93,7 +109,7 @@ IK_ALL = """function [q, unclear] = NAME_ik_all(T@VALUE@)
   T = rigid(T);
 @MOVED@  [rows, valid, unclear] = NAME_rows(reshape(T', 1, 16));
   rows = reshape(rows, 6, 8)';
-  slides = logical(@SLIDES@);
+  slides = logical(@JOINTS_SLIDE@);
   q = zeros(0, N);
   for m = 1:8
     if ~valid(m), continue; end
@@ -109,7 +125,7 @@ IK_ALL = """function [q, unclear] = NAME_ik_all(T@VALUE@)
   end
 @FROM_AXES@end
 
-@RIGID@@NEAREST@"""
+@RIGID@@LINKED@@NEAREST@"""
 
 IK = """function q = NAME_ik(T@VALUE@)
 % NAME_IK  Every joint vector (m, N) inside the limits that reaches a pose T (4, 4), base to tool; m and rad. A rotation
@@ -129,9 +145,9 @@ FK = """function [T, J] = NAME_fk(q@IN_AXES@)
   links = @LINKS@;
   slides = logical(@SLIDES@);
 @TO_AXES@  T = link(links, 1);
-  z = zeros(3, N);
-  p = zeros(3, N);
-  for i = 1:N
+  z = zeros(3, AXES);
+  p = zeros(3, AXES);
+  for i = 1:AXES
     z(:, i) = T(1:3, 3);
     p(:, i) = T(1:3, 4);
     c = cos(q(i));
@@ -143,8 +159,8 @@ FK = """function [T, J] = NAME_fk(q@IN_AXES@)
     end
     T = T * Z * link(links, i + 1);
   end
-  J = zeros(6, N);
-  for i = 1:N
+  J = zeros(6, AXES);
+  for i = 1:AXES
     if slides(i)
       J(1:3, i) = z(:, i);
     else
@@ -213,8 +229,11 @@ def _own_parts(export: Export) -> dict[str, str]:
     """Return what is said of what lies between the arm's joints and the six that are solved."""
     own, numbers = export.between, MATLAB.numbers
     held, coupled, tied = own.held is not None, own.gears is not None, own.tied is not None
-    gears, back = (numbers(np.eye(export.n) if own.gears is None else own.gears), numbers(own.back))
-    columns = ", ".join("value" if column is None else f"rows(m, {column + 1})" for column in own.columns)
+    gears, back = ("", "") if own.gears is None or own.back is None else (numbers(own.gears), numbers(own.back))
+    columns = ", ".join(own.axes(lambda column: f"rows(m, {column + 1})"))
+    # rows of a linkage are joint vectors at once, others become some when all of them are known
+    as_axes = ", true" if coupled and not own.linked else ""
+    slides = MATLAB.listed(MATLAB.truths[int(s)] for s in export.joints_slide)
     zero = "".join(
         f"    if abs(rows(m, {k + 1})) >= {FILLED_STARTS * unit!r}, continue; end\n" for k, unit in own.filled
     )
@@ -222,26 +241,44 @@ def _own_parts(export: Export) -> dict[str, str]:
     return {
         "SAID": f"\n% value: where joint {own.held + 1} is held, rad or m; it has one to spare."
         if own.held is not None
-        else "",
+        else f"\n% {held_words(own).rstrip()}" * bool(own.fixed),
         "VALUE": ", value" if held else "",
         "POSE": "given" if held else "T",
         "MOVED": _moved(export),
         "MOVED_MANY": _moved_many(export),
         "OWN_ROWS": _own_rows(export),
         "OWN_ROW": f"{zero}    own = [{columns}];\n"
-        + (f"    [own, miss] = nearest(own, T);\n    if ~(miss < {CLOSES!r}), continue; end\n" if own.filled else ""),
+        + ("    [own, kept] = linked(own);\n    if ~kept, continue; end\n" if own.linked else "")
+        + (f"    [own, miss] = nearest(own, T);\n    if ~(miss < {CLOSES!r}), continue; end\n" if own.weights else ""),
         "NEAREST": NEAREST.replace("@TESTED@", str([k + 1 for k in own.tested]))
         .replace("@WEIGHTS@", str(list(own.weights)))
-        .replace("@AS_AXES@", ", true" if coupled else "")
-        if own.filled
+        .replace("@AS_AXES@", as_axes)
+        .replace("@STEPS@", str(STEPS))
+        .replace("@SETTLED@", repr(HOLDS_TO_ROUNDING))
+        .replace("@JOINTS_SLIDE@", slides)
+        .replace("@FIXED@", f"    D(:, {[j + 1 for j in own.fixed]}) = 0;\n" if own.fixed else "")
+        if own.weights
         else "",
+        "LINKED": LINKED.replace("GEARS", gears)
+        .replace("BACK", back)
+        .replace("STARTS", str(list(own.starts)))
+        .replace("SLIDES", MATLAB.listed(MATLAB.truths[int(s)] for s in export.slides))
+        if own.linked
+        else "",
+        "JOINTS_SLIDE": slides,
+        "AT_AXES": f" * ({gears})'" if own.linked else "",
         "DOUBT": "true" if own.always else "unclear",
         "TESTED": "[" + " ".join(str(k + 1) for k in own.tested) + "]",
-        "IN_AXES": ", in_axes" if coupled else "",
-        "AS_AXES": ", true" if coupled else "",
-        "TO_AXES": f"  gears = {gears};\n  if nargin < 2, q = (gears * q(:))'; end\n" if coupled else "",
-        "GEARED": "  if nargin < 2, J = J * gears; end\n" if coupled else "",
-        "FROM_AXES": f"  back = {back};\n  q = q * back';\n{wrap}" if coupled else "",
+        "IN_AXES": ", in_axes" if as_axes else "",
+        "AS_AXES": as_axes,
+        "TO_AXES": (
+            f"  gears = {gears};\n  "
+            + ("if nargin < 2, q = (gears * q(:))'; end\n" if as_axes else "q = (gears * q(:))';\n")
+        )
+        if coupled
+        else "",
+        "GEARED": ("  if nargin < 2, J = J * gears; end\n" if as_axes else "  J = J * gears;\n") if coupled else "",
+        "FROM_AXES": wrap if own.linked else f"  back = {back};\n  q = q * back';\n{wrap}" if coupled else "",
         "LABEL_AXES": f"  gears = {gears};\n  q = (gears * q(:))';\n" if coupled else "",
         "GEARED_T": f" * ({gears})'" if coupled else "",
         "TEST_VALUE": f", Q(i, {own.held + 1})" if own.held is not None else "",
@@ -258,7 +295,10 @@ def _own_parts(export: Export) -> dict[str, str]:
 def _own_rows(export: Export) -> str:
     """Return the lines that make joint vectors of a row of many poses."""
     own = export.between
-    columns = ", ".join("value" if column is None else f"six(:, {column + 1}, m)" for column in own.columns)
+    columns = ", ".join(
+        text if text.startswith(("six", "value")) else f"repmat({text}, k, 1)"
+        for text in own.axes(lambda column: f"six(:, {column + 1}, m)")
+    )
     zero = "".join(
         f"    valid(:, m) = valid(:, m) & abs(six(:, {k + 1}, m)) < {FILLED_STARTS * unit!r};\n"
         for k, unit in own.filled
@@ -268,7 +308,9 @@ def _own_rows(export: Export) -> str:
         "      [own(i, :), miss] = nearest(own(i, :), reshape(T(i, :), 4, 4)');\n"
         f"      valid(i, m) = miss < {CLOSES!r};\n    end\n"
     )
-    return f"{zero}    own = [{columns}];\n    own(~valid(:, m), :) = 0;\n" + (nearest if own.filled else "")
+    linked = "    [own, kept] = linked(own);\n    valid(:, m) = valid(:, m) & kept;\n" if own.linked else ""
+    own_rows = f"{zero}    own = [{columns}];\n    own(~valid(:, m), :) = 0;\n{linked}"
+    return own_rows + (nearest if own.weights else "")
 
 
 def _moved_many(export: Export) -> str:

@@ -49,7 +49,7 @@ IK_MANY = """function [q, of, unclear] = NAME_ik_many(T@VALUE@)
   T = rigid_all(reshape(permute(T, [2 1 3]), 16, [])');
   k = size(T, 1);
 @MOVED_MANY@  [six, valid, unclear] = NAME_rows(T);
-  slides = logical(@SLIDES@);
+  slides = logical(@JOINTS_SLIDE@);
   rows = zeros(k, N, 8);
   for m = 1:8
 @OWN_ROWS@    for j = 1:m - 1
@@ -60,7 +60,7 @@ IK_MANY = """function [q, of, unclear] = NAME_ik_many(T@VALUE@)
     end
     look = valid(:, m) & @DOUBT@;
     if any(look)
-      away = abs(walked(own(look, :)) - @POSE@(look, :));
+      away = abs(walked(own(look, :)@AT_AXES@) - @POSE@(look, :));
       valid(look, m) = all(away(:, @TESTED@) < @VERIFIED@, 2);
     end
     rows(:, :, m) = own;
@@ -101,10 +101,10 @@ end
 
 function T = walked(q)
   % the tool's poses (k, 16) where the axes are at q
-  links = [@LINKS@, repmat([0 0 0 1], N1, 1)];
+  links = [@LINKS@, repmat([0 0 0 1], AXES1, 1)];
   slides = logical(@SLIDES@);
   T = links(1, :);
-  for i = 1:N
+  for i = 1:AXES
     Z = zeros(size(q, 1), 16);
     Z(:, [1 6 11 16]) = 1;
     if slides(i)
@@ -126,7 +126,7 @@ function C = times_all(A, B)
     end
   end
 end
-@NEAREST@"""
+@LINKED@@NEAREST@"""
 
 INSIDE = """function [q, inside] = NAME_inside(q)
 % NAME_INSIDE  Joint vectors q (m, N) moved inside the limits by whole turns where that can be, and which lie there.
@@ -134,7 +134,7 @@ INSIDE = """function [q, inside] = NAME_inside(q)
 @HEADER@
   lower = @LOWER@;
   upper = @UPPER@;
-  alone = ~logical(@SLIDES@)@ALONE@;
+  alone = ~logical(@JOINTS_SLIDE@)@ALONE@;
   turn = 2 * pi;
 @TIED@  inside = true(size(q, 1), 1);
   for j = 1:N

@@ -91,8 +91,9 @@ def recorded(plan: Plan) -> Program:
     if plan.family not in RECORDED:
         raise PlanError(
             f"{name} is solved by the family {plan.family!r}, an iteration that ends when its numbers say so: that is "
-            f"no list of operations. Families that are: {', '.join(RECORDED)}. C++ and wasm take every "
-            "family.",
+            f"no list of operations. Families that are: {', '.join(RECORDED)}. C++ and wasm take every family: "
+            "arm.code('c++', ...) writes one header for g++ and clang++, or 'wasm' what pages and Node run; on the "
+            "command line, `pieper code ARM --to c++`.",
             family=plan.family,
             allowed=RECORDED,
         )
@@ -100,7 +101,7 @@ def recorded(plan: Plan) -> Program:
     if tape is None:
         raise PlanError(
             f"{name}: the straight road is closed to this geometry, it is solved pose by pose with care. C++ and wasm "
-            "take it."
+            "take it: arm.code('c++', ...) or arm.code('wasm', ...)."
         )
     nodes, q, valid, unclear, loops = tape
     return program_of(nodes, q, valid, unclear, loops)

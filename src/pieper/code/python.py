@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from pieper.code.between import held_words
+from pieper.code.between import STEPS, Between, held_words
 from pieper.code.export import Export
 from pieper.code.labels import Manner
 from pieper.code.language import ENTRYWISE, USUAL, Language, filled, functions, quoted
 from pieper.code.program import LoopWords
-from pieper.tolerances import CLOSES, FILLED_STARTS, NEWTON_FINITE
+from pieper.tolerances import CLOSES, FILLED_STARTS, HOLDS_TO_ROUNDING, NEWTON_FINITE
 
 
 def while_any_moves(loop: LoopWords) -> list[str]:
@@ -43,17 +43,22 @@ def arrays(module: str, loop: Callable[[LoopWords], list[str]] = while_any_moves
 
 def own_parts(export: Export, module: str) -> dict[str, str]:
     """Return what is said of what lies between the arm's joints and the six that are solved; JAX says it so too."""
-    own, n = export.between, export.n
+    own = export.between
     numbers = arrays(module).numbers
     held, coupled = own.held is not None, own.gears is not None
-    columns = ", ".join("value" if column is None else f"six[..., {column}]" for column in own.columns)
+    columns, slide = ", ".join(own.axes("six[..., {}]".format)), "_JOINTS_SLIDE" if own.linked else "SLIDES_"
     same = columns == ", ".join(f"six[..., {j}]" for j in range(6))
     filled_joints = "".join(
         f"    valid = valid & ({module}.abs(six[..., {k}]) < {FILLED_STARTS * unit!r})\n" for k, unit in own.filled
     )
     take = f"    columns = [{columns}]\n"
     take += f"    q = {module}.stack([{module}.broadcast_to(x, valid.shape) for x in columns], -1)\n"
+    if own.linked:
+        take += "    q, kept = _linked(q)\n    valid = valid & kept\n"
     lines = ""
+    if own.joints_slide is not None:
+        lines += f"_JOINTS_SLIDE = np.array({[bool(s) for s in own.joints_slide]})\n"
+        lines += f"_STARTS = np.array({list(own.starts)})\n"
     if coupled:
         lines += f"_GEARS = {module}.array({numbers(own.gears)})\n_BACK = {module}.array({numbers(own.back)})\n"
     if own.tied is not None:
@@ -78,33 +83,27 @@ def own_parts(export: Export, module: str) -> dict[str, str]:
         "ROW_VALUE": f"    value = {module}.asarray(values, float)[:, None]\n" if held else "",
         "OWN_ROW": filled_joints
         + ("    q = six\n" if same else take)
-        + (f"    q, miss = _nearest(q, Ts)\n    valid = valid & (miss < {CLOSES!r})\n" if own.filled else ""),
-        "NEAREST": NEAREST.replace("@TESTED@", str(list(own.tested)))
-        .replace("@WEIGHTS@", str(list(own.weights)))
-        .replace("@DAMPED@", repr(NEWTON_FINITE))
-        if own.filled
-        else "",
+        + (f"    q, miss = _nearest(q, Ts)\n    valid = valid & (miss < {CLOSES!r})\n" if own.weights else ""),
+        "NEAREST": nearest_of(own, NEAREST),
+        "AT_AXES": " @ _GEARS.T" if own.linked else "",
+        "JOINTS_SLIDE": slide,
         "DOUBT": f"{module}.ones_like(unclear)" if own.always else "unclear",
         "TESTED": str(list(own.tested)),
         "TO_AXES": "    q = q @ _GEARS.T\n" if coupled else "",
         "GEARED": " @ _GEARS" if coupled else "",
-        "FROM_AXES": ("    q = q @ _BACK.T\n" if coupled else "")
-        + (
-            f"    q = {module}.where(SLIDES_, q, q - _TURN * {module}.ceil((q - {module}.pi) / _TURN))\n"
-            if own.wraps
-            else ""
-        ),
+        "FROM_AXES": ("    q = q @ _BACK.T\n" if coupled and not own.linked else "")
+        + (f"    q = {module}.where({slide}, q, q - _TURN * {module}.ceil((q - {module}.pi) / _TURN))\n" * own.wraps),
         "MOVE": "    q = _move_inside(q)\n" if own.tied is not None else "",
         "ALONE": "_ALONE",
-        "ALONE_IS": "~SLIDES" if own.tied is None else "~SLIDES & ~_TIED",
+        "ALONE_IS": "~_JOINTS_SLIDE" if own.linked else "~SLIDES" if own.tied is None else "~SLIDES & ~_TIED",
         "GAP": "(rows - q) @ _GEARS.T" if coupled else "rows - q",
         "OWN_FUNCTIONS": (_MOVED if held else "")
         .replace("MODULE", module)
         .replace("Z_SAID", _z_said(export))
         .replace("PRODUCT", "Z @ (_OFF @ Ts)" if own.at_base else "(Ts @ _OFF) @ Z")
-        + (_MOVE.replace("MODULE", module) if own.tied is not None else ""),
+        + (_MOVE.replace("MODULE", module) if own.tied is not None else "")
+        + (_LINKED.replace("MODULE", module) if own.linked else ""),
         "LABEL_AXES": "    q = np.asarray(q, float)\n    q = q @ _GEARS.T\n" if coupled else "",
-        "N_JOINTS": str(n),
     }
 
 
@@ -124,6 +123,16 @@ def _moved(Ts, v):
     return PRODUCT
 
 """
+_LINKED = """
+
+def _linked(v):
+    # joint vectors that put the joints' own axes at v, and which have the linkage put the others there too, nearly
+    q = v @ _BACK.T
+    off = MODULE.abs(v - q @ _GEARS.T)
+    off = MODULE.where(SLIDES_, off, MODULE.abs(off - _TURN * MODULE.round(off / _TURN)))
+    return q, (off < _STARTS).all(-1)
+
+"""
 _MOVE = """
 
 def _move_inside(q):
@@ -138,26 +147,51 @@ def _move_inside(q):
 """
 
 
-#: Of arms with filled joints: rows become the joint vectors whose poses come nearest to what was asked.
+#: Of arms with filled or linked joints: rows become the joint vectors whose poses come nearest to what was asked.
 NEAREST = """
 
 def _nearest(q, Ts):
     # least squares: joint vectors (k, 8, n) whose poses come nearest to those asked for; by how much each misses
     tested, weights, point = @TESTED@, np.array(@WEIGHTS@), np.array([0.0, 0.0, 0.0, 1.0])[:, None]
-    for step in range(4):
-        frames, P = _walk(q)
-        r = weights * (Ts[:, None] - P).reshape(*q.shape[:2], 16)[..., tested]
-        if step == 3:
-            return q, np.sqrt((r * r).sum(-1))
+    shape, q, Ts = q.shape, q.reshape(-1, q.shape[-1]).copy(), np.repeat(Ts, q.shape[1], 0)
+    miss, go = np.zeros(len(q)), np.arange(len(q))
+    for step in range(@STEPS@ + 1):
+        frames, P = _walk(q[go]@AT_AXES@)
+        r = weights * (Ts[go] - P).reshape(-1, 16)[:, tested]
+        miss[go] = np.sqrt((r * r).sum(-1))
+        if step == @STEPS@ or not len(go):
+            break
         z, p = frames[..., None, :3, 2], frames[..., None, :3, 3]
         columns = np.swapaxes(P[..., None, :3, :], -1, -2)
         way = np.where(SLIDES[:, None, None], point * z, np.cross(z, columns - point * p))
-        D = weights * np.swapaxes(way, -1, -2).reshape(*q.shape, 12)[..., tested]
-        A = D @ np.swapaxes(D, -1, -2)
+        D = @BY_JOINTS@weights * np.swapaxes(way, -1, -2).reshape(*way.shape[:-2], 12)[..., tested]@END@
+@FIXED@        A = D @ np.swapaxes(D, -1, -2)
         A = A + @DAMPED@ * np.trace(A, axis1=-2, axis2=-1)[..., None, None] * np.eye(q.shape[-1])
-        q = q + np.linalg.solve(A, D @ r[..., None])[..., 0]
+        move = np.linalg.solve(A, D @ r[..., None])[..., 0]
+        q[go] += move
+        go = go[np.abs(move).max(-1) > @SETTLED@]
+    q = np.where(@JOINTS_SLIDE@, q, q - _TURN * np.ceil((q - np.pi) / _TURN))
+    return q.reshape(shape), miss.reshape(shape[:-1])
 
 """
+
+
+def nearest_of(own: Between, frame: str) -> str:
+    """Return the function that brings rows nearest to their poses, of arms that need it; JAX has a frame of its own."""
+    if not own.weights:
+        return ""
+    text = frame.replace("@TESTED@", str(list(own.tested))).replace("@WEIGHTS@", str(list(own.weights)))
+    by, end = ("_GEARS.T @ (", ")") if own.linked else ("", "")
+    fixed = f"        D[..., {own.fixed}, :] = 0.0\n" if own.fixed else ""
+    text = text.replace("@FIXED@", fixed).replace(
+        "@HOLDING@", f".at[:, np.array({own.fixed})].set(0.0)" if own.fixed else ""
+    )
+    text = text.replace("@BY_JOINTS@", by).replace("@END@", end).replace("@AT_AXES@", " @ _GEARS.T" * own.linked)
+    slide = "_JOINTS_SLIDE" if own.linked else "SLIDES_"
+    text = text.replace("@STEPS@", str(STEPS)).replace("@SETTLED@", repr(HOLDS_TO_ROUNDING))
+    return text.replace("@JOINTS_SLIDE@", slide).replace("@DAMPED@", repr(NEWTON_FINITE))
+
+
 #: What a matrix means as a pose; the same for every module of arrays.
 RIGID = """_NO_POSE = "Ts[{}] is no rigid motion: R^T R departs from I by more than @ACCEPTED@, or R is a mirror."
 
@@ -270,11 +304,11 @@ def ik_all(Ts@VALUES@):
     six = np.where(valid[..., None], six, 0.0)
 @ROW_VALUE@@OWN_ROW@    q = np.where(valid[..., None], q, 0.0)
     gap = np.abs(q[:, :, None] - q[:, None])
-    gap = np.where(SLIDES, gap, np.abs(gap - _TURN * np.round(gap / _TURN))).max(-1)
+    gap = np.where(@JOINTS_SLIDE@, gap, np.abs(gap - _TURN * np.round(gap / _TURN))).max(-1)
     earlier = np.tril(np.ones((8, 8), bool), -1)
     valid = valid & ~((gap < 1e-9) & earlier & valid[:, None]).any(-1)
     look = @DOUBT@
-    away = np.abs(_walk(q[look])[1] - Ts[look, None]).reshape(-1, 8, 16)[..., @TESTED@].max(-1)
+    away = np.abs(_walk(q[look]@AT_AXES@)[1] - Ts[look, None]).reshape(-1, 8, 16)[..., @TESTED@].max(-1)
     valid[look] &= away < @VERIFIED@
 @FROM_AXES@    return np.where(valid[..., None], q, 0.0), valid, unclear
 

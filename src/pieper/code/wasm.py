@@ -133,7 +133,7 @@ def content(export: Export, suffix: str) -> bytes:
     """Return the file: WebAssembly as it is, or for .mjs a module that holds it."""
     held = export.between.held is not None
     parts = {
-        "SLOTS": str(export.plan.spec.max_solutions),
+        "SLOTS": str(export.solved.spec.max_solutions),
         "HEADER": "\n".join(export.header).replace("*/", "* /"),
         "VALUE": "double value, " if held else "",
         "VALUE_SAID": "value, " if held else "",

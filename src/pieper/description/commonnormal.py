@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.description.dh import DH, Slid
+from pieper.description.fold import FAR_LONGER
 from pieper.tolerances import (
     ALL_BUT_ZERO,
     ANGLE_ROUNDED,
@@ -73,7 +74,7 @@ def standard_table(axes: np.ndarray, points: np.ndarray, home: np.ndarray, farth
             row = slid if row.a or abs(row.d) > farthest else row
         rows.append(row)
         turn = max(turn, off)
-        T = T @ _row_pose(row)
+        T = _on_line(T @ _row_pose(row), directions[i + 1], places[i + 1], size)
     tool = np.linalg.inv(T) @ home
     tool[3] = 0, 0, 0, 1
     return Table(tuple(rows), base, _without_rounding(tool), turn)
@@ -121,6 +122,24 @@ def _row(T: np.ndarray, u: np.ndarray, point: np.ndarray, size: float, prefer: n
     theta = math.atan2(float(np.cross(x, new_x) @ z), float(x @ new_x))
     row = DH(a=_round_length(a, size), alpha=_round_angle(alpha), d=_round_length(d, size), theta=_round_angle(theta))
     return row, off
+
+
+def _on_line(T: np.ndarray, u: np.ndarray, point: np.ndarray, size: float) -> np.ndarray:
+    """Return frame T, whose z axis is the line (point, u) but for rounding, brought onto it where rounding was coarse.
+
+    A row to a common normal far away and the row back are rounded as coarsely as they are long. The row back makes up
+    for the row there. Would those behind it make up for it, axes that meet or are parallel would not be any longer.
+    """
+    w = T[:3, 3] - point
+    along = float(w @ u)
+    foot = point + along * u
+    if abs(along) > FAR_LONGER * size or float(np.linalg.norm(T[:3, 3] - foot)) <= MEETING_AXES * size:
+        return T
+    z = u if float(T[:3, 2] @ u) > 0 else -u
+    x = T[:3, 0] - float(T[:3, 0] @ z) * z
+    out, x = np.eye(4), x / np.linalg.norm(x)
+    out[:3, 0], out[:3, 1], out[:3, 2], out[:3, 3] = x, np.cross(z, x), z, foot
+    return out
 
 
 def _slid(T: np.ndarray, u: np.ndarray, point: np.ndarray, size: float, row: DH) -> Slid:

@@ -17,12 +17,15 @@ from pieper.kinematics.orientation import rotation
 
 #: Larger than any such file; it holds 36 numbers.
 LARGEST_FILE = 100_000
+#: No arm of the maker is as long (m), and no angle of such a file as large (rad).
+LONGEST, MOST_TURNED = 20.0, 2 * math.pi
 LINKS = ("shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3")
 JOINTS = (
     *("shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint"),
     *("wrist_1_joint", "wrist_2_joint", "wrist_3_joint"),
 )
 _NUMBERS = ("x", "y", "z", "roll", "pitch", "yaw")
+_PAIR = r"([\w-]+)\s*:\s*([^,{}]+)"
 
 
 def read(path: str | os.PathLike[str]) -> Description:
@@ -40,7 +43,7 @@ def read(path: str | os.PathLike[str]) -> Description:
     path = arguments.file(path)
     data = bytes_of(path, LARGEST_FILE, "calibration file")
     try:
-        text = data.decode()
+        text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise InputError(f"{path}: not a text in UTF-8; a calibration file is YAML.", file=str(path)) from None
     if "delta_theta" in text:
@@ -62,12 +65,27 @@ def read(path: str | os.PathLike[str]) -> Description:
                 link=link,
             )
         at = said[link]
+        for key in ("roll", "pitch", "yaw"):
+            if abs(at[key]) > MOST_TURNED:
+                raise InputError(
+                    f"{path}: kinematics, {link}: {key} is {at[key]:g}; radians are meant. Were these degrees?",
+                    file=str(path),
+                    link=link,
+                )
         step = np.eye(4)
         step[:3, :3] = rotation("rpy", [at["roll"], at["pitch"], at["yaw"]])
         step[:3, 3] = at["x"], at["y"], at["z"]
         T = T @ step
         axes.append(T[:3, 2].copy())
         points.append(T[:3, 3].copy())
+    far = float(np.linalg.norm(T[:3, 3]))
+    if far > LONGEST:
+        raise InputError(
+            f"{path}: the flange is {far:.4g} m away from the base with all joints at zero; metres are meant. "
+            "Were these millimetres?",
+            file=str(path),
+            far=far,
+        )
     return described_by_axes(
         np.array(axes),
         np.array(points),
@@ -82,7 +100,7 @@ def read(path: str | os.PathLike[str]) -> Description:
 
 
 def _numbers(text: str, file: str) -> dict[str, dict[str, float]]:
-    """Return link -> name -> number of the two levels under `kinematics:`; in one line each or in a block."""
+    """Return link -> name -> number of the two levels under `kinematics:`, in blocks or in braces."""
     found: dict[str, dict[str, float]] = {}
     inside, link, level = False, "", 0
     for number, line in enumerate(text.splitlines(), 1):
@@ -100,10 +118,16 @@ def _numbers(text: str, file: str) -> dict[str, dict[str, float]]:
         elif inside and (not level or depth <= level):
             level, link = depth, key
             found[link] = {}
-            for inner, said in re.findall(r"([\w-]+)\s*:\s*([^,{}]+)", value):
+            for inner, said in re.findall(_PAIR, value):
                 found[link][inner] = _float(said, f"{file}, line {number}: {link}, {inner}")
         elif inside and key in _NUMBERS:
             found[link][key] = _float(value, f"{file}, line {number}: {link}, {key}")
+    bare = re.sub(r"#.*|['\"]", "", text)
+    if not found and re.search(r"\bkinematics\s*:\s*{", bare):
+        for link in LINKS:
+            braces = re.search(rf"\b{link}\s*:\s*{{(.*?)}}", bare, re.S)
+            for inner, said in re.findall(_PAIR, braces[1] if braces else ""):
+                found.setdefault(link, {})[inner] = _float(said, f"{file}: {link}, {inner}")
     if not found:
         raise InputError(f"{file}: there is no key 'kinematics' with the six links of a calibration.", file=file)
     return found

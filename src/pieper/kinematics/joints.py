@@ -123,6 +123,21 @@ class JointSpace:
         ok = inside(moved, limits)
         return np.where(ok, moved, q), np.logical_and.reduce(ok, axis=-1)
 
+    def least_over(self, q: Array, limits: Array) -> Array:
+        """Return by how much joints (k, n) are beyond limits (n, 2), in the whole turns where that is least.
+
+        Rad or m; below zero where it is inside.
+        """
+        low, high = limits.T
+        if self.coupled is not None:
+            q = np.array([self.coupled.least_outside(row, limits) for row in q]).reshape(q.shape)
+            return np.maximum(low - q, q - high)
+        # the last variant below the upper limit, or below the lower one's next, and the one after it
+        top = np.where(np.isfinite(high), high, np.where(np.isfinite(low), low + TURN, q))
+        below = np.where(self.prismatic, q, q + TURN * np.floor((top - q) / TURN))
+        above = np.where(self.prismatic, q, below + TURN)
+        return np.minimum(*(np.maximum(low - x, x - high) for x in (below, above)))
+
     def variants(self, q: Array, limits: Array) -> Array:
         """Return every variant (k, n) of q (n,) by whole turns inside limits (n, 2); what is unlimited stays."""
         if self.coupled is not None:

@@ -150,6 +150,33 @@ class WholeTurns:
         counts = itertools.product(*(range(-turns[i], turns[i] + 1) for i in turning))
         return TURN * np.array(list(counts), float) @ self.inverse[:, turning].T
 
+    def least_outside(self, q: Array, limits: Array) -> Array:
+        """Return a joint vector q (n,) moved by the whole turns that are outside limits (n, 2) least, block by block.
+
+        The joint that turns and is outside most comes first, slides that are tied to it second: one that is far outside
+        is not brought nearer by winding its screw beyond a limit.
+        """
+        out = np.array(q, np.float64)
+        low, high = limits.T
+        for block in self.blocks:
+            turning = block[~self.prismatic[block]]
+            if not len(turning):
+                continue
+            moves = TURN * self.inverse[:, turning]
+            ways, missing = np.linalg.pinv(moves[turning]), np.clip(out, low, high) - out
+            start = out + moves @ np.round(ways @ missing[turning])
+            # no better one has a joint that turns outside by more than this one
+            least = float(np.maximum(low - start, start - high)[turning].max(initial=0.0))
+            room = np.column_stack([low - least - start, high + least - start])[turning]
+            room = np.where(np.isfinite(room), room, WOUND_TURNS * TURN * np.sign(room))
+            reach = np.sort(ways[:, :, None] * room, axis=-1).sum(1) + RELATIVE_ROUNDING * np.array([-1.0, 1.0])
+            counts = itertools.product(*(range(int(np.ceil(a)), int(np.floor(b)) + 1) for a, b in reach))
+            tried = start + np.array([np.zeros(len(turning)), *counts]) @ moves.T
+            beyond = np.maximum(np.maximum(low - tried, tried - high), 0.0)
+            first, second = (beyond[:, part].max(1, initial=0.0) for part in (turning, np.setdiff1d(block, turning)))
+            out = tried[np.lexsort((second, first))[0]]
+        return out
+
     def inside(self, q: Array, limits: Array) -> Array:
         """Return every variant (k, n) of a joint vector q (n,) by whole turns inside limits (n, 2), in order.
 

@@ -312,9 +312,11 @@ class Program:
         """
         from pieper.motion.dialects.circles import in_pieces
         from pieper.motion.dialects.dialect import Script
-        from pieper.motion.dialects.files import dialect_of, text_of
+        from pieper.motion.dialects.files import check_splines, dialect_of, text_of
 
         target = arguments.file(path)
+        dialect = dialect_of(target) if dialect is None else dialect
+        check_splines(self.moves, dialect)
         called = target.stem if name is None else arguments.text(name, "name")
         script = Script(
             called,
@@ -326,7 +328,7 @@ class Program:
             cartesian,
             lambda: self.motion(rate=rate),
         )
-        write_whole(target, text_of(script, dialect_of(target) if dialect is None else dialect))
+        write_whole(target, text_of(script, dialect))
 
     @property
     def _number(self) -> int:

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -42,9 +42,6 @@ from pieper.solver.words.table import table
 from pieper.solver.words.why import why
 from pieper.tolerances import FARTHEST
 
-if TYPE_CHECKING:
-    from pieper.solver.singular.self_motion import SelfMotion
-
 # what looks with care, or along spare joints, is imported when it is needed: most calls never do
 WORDS = Words(why, table, posture_words, labels_beside, closest_to)
 # plain numbers: an IntFlag takes a microsecond to be combined with one
@@ -74,13 +71,13 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
         pose = checked_pose(T)
         q, slots, inside, flag = plan.solver.one(pose)
+    if not len(q) or (plan.slides and not np.abs(pose[:3, 3]).max() <= FARTHEST):
+        pose = checked_pose(pose)  # the kernel refuses no place, however far
     if (flag & (_DOUBTFUL | _EDGE) or not len(q)) and (far := one_from_afar(plan, np.asarray(pose, float), ik)):
         return far[0]
     if flag & (_DOUBTFUL | _EDGE):
         found = _read(plan, pose, q, flag & ~_EDGE)  # of no rows inside, it is false as a sequence
         return _careful(plan, checked_pose(pose), q, slots, inside, flag) if found is None else found
-    if not len(q):
-        pose = checked_pose(pose)  # the kernel refuses no place, however far
     return Solutions(plan, WORDS, pose, q, slots, inside, flag)
 
 
@@ -362,12 +359,12 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
         return far[0]
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))
-    motions: Callable[[], tuple[SelfMotion, ...]] | tuple[()] = partial(self_motions_of, plan, T, plan.defaults, ik)
+    some = True
     if asked.free and not np.count_nonzero(inside):
-        rows, kind = choose_elsewhere(plan, T[None], rows, 1)
+        rows, (some,) = choose_elsewhere(plan, T[None], rows, 1)
         q, slots, inside, there = rows.of(0)
-        motions = motions if kind[0] else ()
         flag = there | (flag & _ROUNDED)
+    motions = partial(self_motions_of, plan, T, plan.defaults, ik, q) if some else ()
     if asked.free and np.count_nonzero(inside):
         flag &= ~_UNCERTAIN  # of rows at a value that nobody chose nobody was told that they are all
     return Solutions(asked.plan, WORDS, T, q, slots, inside, int(flag) & ~(_DEGENERATE | _EDGE), self_motions=motions)

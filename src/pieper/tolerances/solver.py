@@ -117,6 +117,15 @@ CHOSEN_POINT = 1e-6
 SEED_ON_POLYLINE, SEED_DOUBTFUL = 5e-3, 5e-2
 #: A seed that was slid lies on the curve when it comes this near (rad; per length).
 SEED_ON_CURVE = 1e-5
+#: The same where one direction is free and no more, of seeds that hold the pose to rounding: curves may pass each other
+#: as near as a few times this.
+SEED_IS_ON = 1e-6
+#: Where a curve crosses another it is gone on by steps shorter than this (rad; lengths).
+CROSSED_BY = 1e-3
+#: A step (rad; lengths) of a point that holds the pose already, beyond which it is made of rounding.
+LED_AWAY = 1e-5
+#: Seeds whose weakest direction is below this part of the strongest are traced last.
+SEED_CROSSED = 1e-5
 #: Steps to either side of a pose (per length; rad), and how many pairs of each.
 SIDE_STEPS = ((1e-2, 4), (1e-3, 2))
 #: Stretches of a swept joint shorter than this (rad; m) are not halved.
@@ -191,6 +200,8 @@ SLIDE_SHORTEST = 1e-10
 CLOSED_TURN = 1e-9
 #: Singular values below this part of the largest leave their direction open.
 OPEN_WAYS = 1e-7
+#: A curve of folds ends where a step shorter than this (rad; per length) does not go on.
+FOLD_STEP = 1e-3
 #: A second singular value is smallest where its neighbours are larger by more than this.
 CROSSING_CHANGE = 1e-9
 #: Curves cross where the second singular value comes below this.
@@ -199,6 +210,8 @@ CROSSING_FOUND = 1e-5
 NEAR_INSIDE = 3e-2
 #: Where a descent rests and misses the pose by less than this (per length; rad), it is looked for beside.
 ALL_BUT_HELD = 1e-4
+#: Places at which descents rest that are this near to each other (rad; lengths) are one.
+SAME_REST = 1e-3
 #: So far around it (rad; lengths): the root of what is missed, by how the weakest way bends.
 ROUND_A_REST = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2)
 #: Positions that miss the first axis by less, of how far they are along it, lie on it: a few last digits.

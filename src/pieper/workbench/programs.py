@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import tempfile
 import threading
 from collections.abc import Callable
@@ -216,18 +215,6 @@ def run(arm: pieper.Arm, message: dict[str, Any], progress: Progress, stop: thre
     }
 
 
-def _by_steps(text: str, built: Built) -> str:
-    """Return a sentence about moves, counted from 1, with the numbers of the page's steps."""
-    moves = [turn.name for turn in built.done if turn.step["kind"] in MOVES]
-
-    def name(found: re.Match[str]) -> str:
-        k = int(found[1])
-        return moves[k - 1] if 1 <= k <= len(moves) else found[0]
-
-    said = re.sub(r"\bmove (\d+)\b", name, text)
-    return said[:1].upper() + said[1:] if said != text else text
-
-
 def write(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
     """Return a program as the text of a file for a maker's controller."""
     dialect = word(message.get("dialect"), "dialect", tuple(DIALECTS))
@@ -240,5 +227,9 @@ def write(arm: pieper.Arm, message: dict[str, Any]) -> dict[str, Any]:
         try:
             built.program.write(path, dialect=dialect, name=name)
         except pieper.InputError as error:
-            raise Refused(_by_steps(str(error), built)) from error
+            move = error.data.get("move")
+            if not isinstance(move, int):
+                raise Refused(str(error)) from error
+            moves = [turn.name for turn in built.done if turn.step["kind"] in MOVES]
+            raise Refused(f"{moves[move - 1].capitalize()} {error.data['why']}") from error
         return {"text": path.read_text(encoding="utf-8"), "name": path.name}

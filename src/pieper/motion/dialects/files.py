@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 
 from pieper import arguments
 from pieper.errors import InputError
 from pieper.motion.dialects import fanuc_ls, inform, krl, pacscript, rapid, trajectory, urscript
 from pieper.motion.dialects.configuration import is_of
 from pieper.motion.dialects.dialect import Dialect, Script, Target, checked_name
+from pieper.motion.instructions import Move
 
 DIALECTS: dict[str, Dialect] = {
     d.name: d
@@ -25,6 +27,19 @@ DIALECTS: dict[str, Dialect] = {
 }
 
 
+def check_splines(moves: Sequence[Move], dialect: str) -> None:
+    """Refuse a maker's dialect for moves, as the program numbers them, of which one is a spline.
+
+    Raises:
+        InputError: One is, or no such dialect.
+    """
+    arguments.word(dialect, "dialect", DIALECTS)
+    splines = [number for number, move in enumerate(moves, 1) if move.kind == "move_s"]
+    if splines and DIALECTS[dialect].maker is not None:
+        why = f"is a spline, which {dialect} is not written with here; write ros or csv, or lines and circles."
+        raise InputError(f"move {splines[0]} {why}", move=splines[0], why=why)
+
+
 def text_of(script: Script, dialect: str) -> str:
     """Return a script in a dialect.
 
@@ -33,13 +48,6 @@ def text_of(script: Script, dialect: str) -> str:
     """
     arguments.word(dialect, "dialect", DIALECTS)
     found = DIALECTS[dialect]
-    splines = [number for number, move in enumerate(script.moves, 1) if move.kind == "move_s"]
-    if splines and found.maker is not None:
-        raise InputError(
-            f"move {splines[0]} is a spline, which {dialect} is not written with here; write ros or csv, or lines and "
-            "circles.",
-            move=splines[0],
-        )
     said = script.description.manufacturer
     if found.maker is not None:
         if not is_of(said, found.maker):

@@ -133,6 +133,11 @@ class Plan:
         """What kind of arm it is and how many solutions a pose can have by what its own axes do, and why."""
         return self.counting(self)
 
+    @cached_property
+    def slides(self) -> bool:
+        """Whether a joint of the arm slides."""
+        return bool(self.prismatic.any())
+
     @property
     def prismatic(self) -> Bools:
         """(n,) bool."""

@@ -7,26 +7,21 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
-from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
-from pieper.kinematics.newton import newton_and_miss, null_space
+from pieper.kinematics.newton import newton_and_miss
 from pieper.solver.beyond import beyond
 from pieper.solver.plan.plan import Plan
-from pieper.solver.redundant.approach import from_anywhere
+from pieper.solver.redundant.approach import LAST_STEPS, beside_rest, from_anywhere
 from pieper.solver.redundant.box import box, descended, spread, well_inside
 from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.sweep import slices
-from pieper.tolerances import ALL_BUT_HELD, CLOSES, NEAR_INSIDE, ROUND_A_REST
+from pieper.tolerances import ALL_BUT_HELD, CLOSES, NEAR_INSIDE
 
 #: Starts of the descent inside the limits, where fewer have shown nothing: of postures inside, one start in eighty met
 #: the rarest. The last are for what the other ways have not found either.
 STARTS = 8, 64, 512
 #: Free descents a pose, and poses that are sliced or approached in one go: it bounds the memory.
 FREE_STARTS, TOGETHER = 16, 128
-#: Newton's steps from where a descent has rested near the pose: beside a singular posture each halves what is left.
-LAST_STEPS = 40
-#: In how many directions one looks around such a place.
-ROUND = 12
 #: What a pose has: no solution at all, solutions outside the limits alone, or some inside.
 NONE, OUTSIDE, INSIDE = 0, 1, 2
 
@@ -159,20 +154,6 @@ def anywhere(plan: Plan, T: Array, threads: int = 1) -> Anywhere:
     found = np.flatnonzero(kind == INSIDE)
     q[found] = well_inside(full, q[found], T[found], low, high)
     return Anywhere(kind, q)
-
-
-def beside_rest(chain: Chain, q: Array, T: Array) -> Array:
-    """Return solutions (k, n) of a pose (4, 4) around a posture (n,) at which a descent rests and nearly holds it.
-
-    There the way that is missed bends back: what holds the pose, a small self-motion or one that passes closely, lies
-    to the side of it along the two weakest directions, as far as the root of what is missed.
-    """
-    weakest = null_space(chain, q)[1][-2:]
-    around = np.linspace(0, TURN, ROUND, endpoint=False)
-    ways = np.stack([np.cos(around), np.sin(around)], 1) @ weakest
-    starts = q + (np.array(ROUND_A_REST)[:, None, None] * ways).reshape(-1, chain.n) * chain.joints.unit
-    rows, off = newton_and_miss(chain, starts, np.tile(T, (len(starts), 1, 1)), steps=LAST_STEPS)
-    return rows[off <= CLOSES]
 
 
 def spare_values(plan: Plan, q: Array) -> Array:

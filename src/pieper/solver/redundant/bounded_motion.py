@@ -11,9 +11,10 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.newton import newton
 from pieper.solver.redundant.box import box, closest, descended
+from pieper.solver.singular.beside_curve import on_followed
 from pieper.solver.singular.self_motion import FREE, SelfMotion
 from pieper.solver.singular.traced_motion import TracedMotion
-from pieper.tolerances import BOUNDED_ON_CURVE, BOUNDED_PRECISE, CLOSES, CURVE_RANK, NEAR_POLYLINE, ROUNDING, TINY
+from pieper.tolerances import BOUNDED_ON_CURVE, BOUNDED_PRECISE, CLOSES, NEAR_POLYLINE, ROUNDING, TINY
 
 #: Halvings that place where a curve leaves the limits between two samples: from 0.12 rad to rounding.
 HALVINGS = 48
@@ -43,7 +44,7 @@ class BoundedMotion(TracedMotion):
 
     def points(self, u: Array) -> Array:
         """Return the points (k, n) at parameters (k,), the task's virtual joints behind."""
-        return newton(self.chain, self.between(u), self.T, steps=6, cutoff=CURVE_RANK)
+        return newton(self.chain, self.between(u), self.T, cutoff=self.rank)
 
     def _within(self, points: Array) -> Bools:
         return self.chain.joints.inside_limits(points, self.limits)[1]
@@ -206,9 +207,7 @@ def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
         return samples, np.zeros(0, np.int64)
     near = np.flatnonzero(motion.distances(ends) < NEAR_POLYLINE)
     placed: list[tuple[float, Array]] = []
-    for q in ends[near]:
-        if not motion.contains(q, BOUNDED_ON_CURVE):
-            continue
+    for q in ends[near[_on(motion, ends[near])]]:
         gap = joints.difference(q, samples[:-1])
         along = np.diff(motion.samples / joints.unit, axis=0)
         square: Array = np.einsum("kn,kn->k", along, along)
@@ -228,10 +227,17 @@ def _with_points(motion: SelfMotion, ends: Array) -> tuple[Array, Indices]:
     return np.array(out), np.array(marks, np.int64)
 
 
+def _on(motion: SelfMotion, points: Array) -> Bools:
+    """Return which of the points (m, n) lie on the curve."""
+    if motion.is_line:
+        return on_followed(motion.chain, motion.T, motion.samples, points, motion.closed, BOUNDED_ON_CURVE)
+    return np.array([motion.contains(q, BOUNDED_ON_CURVE) for q in points], bool)
+
+
 def _turned(motion: SelfMotion, samples: Array, marks: Indices) -> tuple[Array, Indices]:
     """Let a closed curve begin at a point on a limit after which it runs outside, so that no interval is cut there."""
     ahead = samples[marks] + (samples[np.minimum(marks + 1, len(samples) - 1)] - samples[marks]) / 2
-    ahead = newton(motion.chain, ahead, motion.T, steps=6, cutoff=CURVE_RANK)
+    ahead = newton(motion.chain, ahead, motion.T, steps=6, cutoff=motion.rank)
     leaving = marks[~motion.chain.joints.inside_limits(ahead, motion.limits)[1]]
     first = int(leaving[0]) if len(leaving) else int(marks[0])
     whole = motion.chain.joints.unwound(samples[0], samples[-1], FREE) - samples[0]

@@ -8,7 +8,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import missed, newton, scaled_jacobian
+from pieper.kinematics.newton import at_least_as_strong, missed, newton
 from pieper.solver.arm_rows import full_rows
 from pieper.solver.kernel_rows import Solved
 from pieper.solver.plan.plan import Plan
@@ -19,9 +19,20 @@ from pieper.solver.redundant.stops import stops
 from pieper.solver.redundant.surface import as_one
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
 from pieper.solver.results import Solutions
+from pieper.solver.singular.beside_curve import how_often_passed, on_followed, one_free
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
-from pieper.tolerances import CLOSES, PRECISE_RANK, SEED_DOUBTFUL, SEED_ON_CURVE, SEED_ON_POLYLINE
+from pieper.tolerances import (
+    CLOSES,
+    CROSSED_BY,
+    HOLDS,
+    PRECISE_RANK,
+    SEED_CROSSED,
+    SEED_DOUBTFUL,
+    SEED_IS_ON,
+    SEED_ON_CURVE,
+    SEED_ON_POLYLINE,
+)
 
 #: Starts from which the pose is approached freely, besides the sweep.
 STARTS = 96
@@ -40,12 +51,16 @@ SMALL = 0.05
 SURFACE_WAY = 0.618
 #: Newton steps at merged roots, where each only halves what is left.
 SLOW_STEPS = 40
+#: Samples of a curve that are all on another which holds it; by how much it may be longer, chords as they are.
+COMPARED, LONGER = 40, 1.1
+#: How often a curve is followed anew that went astray; at how many places it is asked how often it passes there.
+BEGUN_ANEW, PASSED = 8, 12
 #: Seeds whose distances to a curve are taken at once: it bounds the memory.
 CHUNK = 256
 
 
 def self_motions_of(
-    plan: Plan, asked: Array, values: Array, one: Callable[[Plan, Array], Solutions]
+    plan: Plan, asked: Array, values: Array, one: Callable[[Plan, Array], Solutions], rows: Array
 ) -> tuple[SelfMotion, ...]:
     """Trace every self-motion of a pose of a redundant arm; of several joints to spare all that holds the pose is one.
 
@@ -59,6 +74,7 @@ def self_motions_of(
         asked: (4, 4) the pose.
         values: (k,) the redundant coordinates asked for.
         one: Solves one pose of an arm that is left where joints are held.
+        rows: (m, n) what is known to hold the pose, of the arm's own joints.
     """
     full = plan.exact.full
     spare = len(plan.redundancy)
@@ -67,15 +83,18 @@ def self_motions_of(
     at = stops(plan, T[None], every_turn=True)
     ends = at.q[at.inside]
     seeds = np.concatenate([ends, points])
+    if one_free(full):
+        seeds = _regular_first(full, _onto(full, T, np.concatenate([seeds, rows]) if len(rows.T) == full.n else seeds))
     motions: list[SelfMotion] = []
     for point, way in coaxial.lines(plan, T, one):
         if not any(coaxial.joined(other, point[None])[0] for other in motions):
             line = trace(full, point, T, plan.full_limits, plan.full_names, way, shown=plan.n)
             motions.append(_across(line, seeds) if line.dimension > 1 else line)
-    if motions:
+    lines = list(motions)
+    if lines:
         # where solutions merge on a line, others are met beside it, as far as the root of what they miss the pose by
         seeds = newton(full, seeds, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
-        for motion in motions:
+        for motion in lines:
             seeds = seeds[~(on_curve(motion, seeds) | coaxial.joined(motion, seeds))]
     # a surface (of several spare joints, or of a singular pose) has no list of curves: one line through each solution
     # shows the way, and `dimension` says the rest
@@ -87,6 +106,10 @@ def self_motions_of(
     while len(seeds) and len(motions) < most and traced < MOST_SAMPLES:
         motion = trace(full, seeds[0], T, plan.full_limits, plan.full_names, shown=plan.n, most_steps=steps)
         seeds = seeds[1:]
+        if _astray(motion, lines):
+            motion = _begun_anew(motion, lines)
+        if motion.dimension == 1:
+            motions = lines + [other for other in motions[len(lines) :] if not _covers(motion, other)]
         motions.append(motion)
         traced += len(motion.samples)
         if motion.dimension > 1:
@@ -112,6 +135,18 @@ def _across(line: SelfMotion, seeds: Array) -> SelfMotion:
     way = SURFACE_WAY ** np.arange(len(plane)) @ plane
     way /= np.linalg.norm(way)
     return trace(chain, start, line.T, line.limits, line.names, way, shown=line.shown, most_steps=LINE_STEPS)
+
+
+def _onto(full: Chain, T: Array, seeds: Array) -> Array:
+    """Return those seeds (m, n) that hold the pose to rounding, moved there: what nearly does lies off it."""
+    on = newton(full, seeds, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
+    held = missed(full, on, T) < HOLDS
+    return on[held] if held.any() else seeds
+
+
+def _regular_first(full: Chain, seeds: Array) -> Array:
+    """Return seeds (m, n), last those where curves nearly cross: which way one goes is known badly there."""
+    return seeds[np.argsort(at_least_as_strong(full, seeds) < SEED_CROSSED, kind="stable")]
 
 
 def _nearest_first(chain: Chain, seeds: Array, limits: Array) -> Array:
@@ -167,37 +202,56 @@ def _holding(plan: Plan, T: Array, found: Solved | Sweep) -> Array:
     return rows[missed(plan.exact.full, rows, T) < CLOSES]
 
 
+def _astray(motion: SelfMotion, lines: list[SelfMotion]) -> bool:
+    """Whether a curve has turned into a line that it crosses, or goes round more than once."""
+    if any(_covers(motion, line) for line in lines):
+        return True
+    steps = np.linalg.norm(np.diff(motion.samples, axis=0), axis=1)
+    # only where curves cross are steps so short
+    if not motion.is_line or not len(steps) or steps.min() > CROSSED_BY:
+        return False
+    places = np.linspace(0, len(steps) - 1, PASSED).astype(int)
+    between = newton(motion.chain, (motion.samples[places] + motion.samples[places + 1]) / 2, motion.T)
+    often = how_often_passed(motion.chain, motion.T, motion.samples, between, motion.closed, SEED_IS_ON)
+    return bool(np.count_nonzero(often > 1) > len(places) / 3)
+
+
+def _begun_anew(motion: SelfMotion, lines: list[SelfMotion]) -> SelfMotion:
+    """Return a curve that went astray, followed anew from elsewhere on it.
+
+    Where two curves run all but along each other to the place at which they cross, rounding decides which of the two is
+    gone on: not so from wherever one comes.
+    """
+    off = motion.samples
+    for line in lines:
+        off = off[~on_curve(line, off)]
+    limits, names, shown = motion.limits, motion.names, motion.shown
+    for start in off[np.linspace(0, len(off) - 1, BEGUN_ANEW).astype(int)] if len(off) else off:
+        again = trace(motion.chain, start, motion.T, limits, names, shown=shown)
+        if again.closed and not _astray(again, lines):
+            return again
+    return motion
+
+
+def _covers(motion: SelfMotion, other: SelfMotion) -> bool:
+    """Whether a curve holds another: one that was begun anew where the other had been left."""
+    if other.dimension > 1 or not one_free(motion.chain) or _length(other) > LONGER * _length(motion):
+        return False
+    some = other.samples[np.linspace(0, len(other.samples) - 1, COMPARED).astype(int)]
+    return bool(on_curve(motion, some[:1]).all() and on_curve(motion, some).all())
+
+
+def _length(motion: SelfMotion) -> float:
+    return float(np.linalg.norm(np.diff(motion.samples, axis=0), axis=1).sum())
+
+
 def on_curve(motion: SelfMotion, seeds: Array) -> Bools:
     """Return which of the seeds (m, n) lie on a traced curve."""
+    if motion.is_line:
+        return on_followed(motion.chain, motion.T, motion.samples, seeds, motion.closed, SEED_IS_ON)
     parts = [motion.distances(seeds[i : i + CHUNK]) for i in range(0, len(seeds), CHUNK)]
     away = np.concatenate(parts) if parts else np.zeros(0)
     on = away < SEED_ON_POLYLINE
-    near = np.flatnonzero(on)
-    doubtful = np.concatenate([near[_on_other_side(motion, seeds[near])], np.flatnonzero(~on & (away < SEED_DOUBTFUL))])
-    for i in doubtful:
+    for i in np.flatnonzero(~on & (away < SEED_DOUBTFUL)):
         on[i] = motion.contains(seeds[i][: motion.shown], SEED_ON_CURVE)
     return on
-
-
-def _on_other_side(motion: SelfMotion, seeds: Array) -> Bools:
-    """Return which seeds (m, n) beside a curve of seven joints may lie on another that passes it closely (m,).
-
-    Where one direction is free the determinant of the Jacobian with that direction beneath keeps its sign along a
-    curve, and two that pass each other beside a singular posture have different ones: an elbow nearly straight bends
-    either way.
-    """
-    chain = motion.chain
-    if chain.n != 7 or motion.dimension > 1 or len(motion.samples) < 2 or not len(seeds):
-        return np.zeros(len(seeds), bool)
-    place = np.array([int(np.argmin(np.linalg.norm(motion.gaps(q, motion.samples), axis=1))) for q in seeds])
-    before, after = np.maximum(place - 1, 0), np.minimum(place + 1, len(motion.samples) - 1)
-    along = (motion.samples[after] - motion.samples[before]) / chain.joints.unit
-    return _side(chain, seeds, along) * _side(chain, motion.samples[place], along) < 0
-
-
-def _side(chain: Chain, q: Array, along: Array) -> Array:
-    """Return the signs (m,) of the Jacobians' determinants at q (m, 7), the free direction beneath, as `along`."""
-    J = scaled_jacobian(chain, q)
-    free = np.linalg.svd(J)[2][:, -1]
-    free = free * np.where(np.sum(free * along, axis=1) < 0, -1.0, 1.0)[:, None]
-    return np.sign(np.linalg.det(np.concatenate([J, free[:, None]], axis=1)))

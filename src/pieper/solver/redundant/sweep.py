@@ -10,7 +10,7 @@ from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.pose import stepped
 from pieper.solver.arm_rows import full_rows
 from pieper.solver.plan.plan import Plan
-from pieper.solver.redundant.approach import holding, pulled
+from pieper.solver.redundant.approach import held_or_beside, pulled
 from pieper.tolerances import ROUNDING, SIDE_STEPS, SWEEP_FINEST
 
 #: Slices over the range to begin with: many where one prepared kernel serves all values, few where each needs its own.
@@ -180,7 +180,7 @@ def beside(plan: Plan, T: Array, coordinate: int, values: Array, swept: Sweep) -
     q, twists = q[slices, rows], np.repeat(twists, len(at), 0)[slices]
     for k in range(1, FOLLOW_STAGES + 1):
         q = pulled(full, q, stepped(T, twists * FOLLOW_RATIO**k, full.length), 3)
-    return holding(full, pulled(full, q, np.broadcast_to(T, (len(q), 4, 4)), 12), T)
+    return held_or_beside(full, pulled(full, q, np.broadcast_to(T, (len(q), 4, 4)), 12), T)
 
 
 def unknown(plan: Plan, swept: Sweep, coordinate: int, q: Array) -> Array:

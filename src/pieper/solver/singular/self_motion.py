@@ -16,6 +16,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import checked_joint_vector, checked_weights
 from pieper.kinematics.joints import TURN, inside, short_way
 from pieper.kinematics.newton import missed, newton, null_space
+from pieper.solver.singular.beside_curve import is_known_exactly, on_followed, one_free
 from pieper.solver.singular.relation import related
 from pieper.tolerances import (
     CLOSED_TURN,
@@ -24,6 +25,7 @@ from pieper.tolerances import (
     CURVE_RANK,
     CURVE_STEP,
     JOINT_TURNS,
+    NEWTON_CUTOFF,
     NO_LENGTH,
     ONE_OF_MANY,
     SAME_VOUCHED,
@@ -100,6 +102,17 @@ class SelfMotion:
             return self.names.index(joint)
         return arguments.whole(joint, "joint", 0, self.shown - 1)
 
+    @cached_property
+    def rank(self) -> float:
+        """Directions weaker than this part of the strongest are left alone in a step back onto the curve."""
+        # of seven joints one is free, and the next may be as weak as all along a curve a thousandth of a radian across
+        return NEWTON_CUTOFF if self.dimension == 1 and one_free(self.chain) else CURVE_RANK
+
+    @cached_property
+    def is_line(self) -> bool:
+        """Whether it is a line in joint space that is known exactly, however near another passes."""
+        return self.dimension == 1 and is_known_exactly(self.chain, self.samples)
+
     def gaps(self, q: Array, points: Array) -> Array:
         """Return q - points without units, angles around the circle, virtual joints not counted."""
         return np.where(self._virtual, 0.0, self.chain.joints.difference(q, points))
@@ -144,7 +157,7 @@ class SelfMotion:
 
     def point(self, u: float) -> Array:
         """Return the same with the task's virtual joints behind."""
-        return newton(self.chain, self.between(np.array([u]))[0], self.T, steps=6, cutoff=CURVE_RANK)
+        return newton(self.chain, self.between(np.array([u]))[0], self.T, cutoff=self.rank)
 
     def at_joint(self, joint: int | str, value: float) -> Array:
         """Return the points (m, n) of the curve where a joint (0-based) has a value, whole turns apart from it counted.
@@ -307,6 +320,8 @@ class SelfMotion:
     def _contains(self, q: Array, tolerance: float) -> bool:
         if self.dimension == 1 and self.distance(q) > 0.05:
             return False
+        if self.shown == self.chain.n and self.is_line:
+            return bool(on_followed(self.chain, self.T, self.samples, q[None], self.closed, tolerance)[0])
         sizes = np.linalg.norm(self.gaps(q, self.samples), axis=1)
         nearest = self.samples[int(np.argmin(sizes))]
         point = self._slid(nearest, lambda p: self.gaps(q, p), None, self.counts())

@@ -9,6 +9,8 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.golden_section import least_at
 from pieper.kinematics.newton import missed, newton, newton_on_plane, null_space, singular_values
+from pieper.solver.singular.along_folds import along_folds, ways_gone
+from pieper.solver.singular.beside_curve import one_free
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import (
@@ -16,10 +18,8 @@ from pieper.tolerances import (
     CROSSING_FOUND,
     CURVE_STEP,
     HOLDS,
-    INDEPENDENT_STEPS,
     ON_CURVE,
     OPEN_WAYS,
-    PRECISE_RANK,
     TINY,
 )
 
@@ -27,8 +27,6 @@ from pieper.tolerances import (
 MOST_STEPS, STRAIGHT = 1500, 0.95
 #: Steps of the golden section that places a crossing between two samples.
 HALVINGS = 30
-#: How far along a null direction it is asked whether the solutions go that way (rad; per length).
-DIMENSION_PROBE = 0.05
 
 
 def step_along(chain: Chain, q: Array, T: Array, direction: Array, probe: float = 0.05) -> Array | None:
@@ -68,13 +66,26 @@ def trace(
         The SelfMotion; bounded by `most_steps`.
     """
     set_out = null_space(chain, q)[1][-1] if direction is None else direction
-    forward, closed = _walk(chain, q, T, set_out, most_steps)
-    samples = forward
-    if not closed:
-        backward, _ = _walk(chain, q, T, -set_out, most_steps)
-        samples = np.concatenate([backward[:0:-1], forward])
+    samples, closed = _both_ways(chain, q, T, set_out, most_steps)
+    if not closed and direction is None and one_free(chain) and not chain.prismatic.any() and most_steps == MOST_STEPS:
+        # where curves cross, the way to set out is known badly: begun where it is known best they close
+        best = samples[int(np.argmax(second_smallest(chain, samples)))]
+        again, closed = _both_ways(chain, best, T, null_space(chain, best)[1][-1], most_steps)
+        samples = again if closed else samples
+    elif not closed and direction is None:
+        again, closed = along_folds(chain, q, T, most_steps)
+        samples = again if closed or len(again) > len(samples) else samples
     arm_joints = chain.n if shown is None else shown
     return TracedMotion(chain, T, samples, closed, _dimension(chain, T, samples), limits, names, arm_joints)
+
+
+def _both_ways(chain: Chain, q: Array, T: Array, direction: Array, most_steps: int) -> tuple[Array, bool]:
+    """Return the points (k, n) of the curve through q (n,), followed both ways where it does not close, and whether."""
+    forward, closed = _walk(chain, q, T, direction, most_steps)
+    if closed:
+        return forward, True
+    backward, _ = _walk(chain, q, T, -direction, most_steps)
+    return np.concatenate([backward[:0:-1], forward]), False
 
 
 def _dimension(chain: Chain, T: Array, samples: Array) -> int:
@@ -83,17 +94,14 @@ def _dimension(chain: Chain, T: Array, samples: Array) -> int:
     Where the Jacobian has full rank it is the number of spare joints. Elsewhere the null directions are too many where
     some of them only lead nowhere to first order: counted are the independent ways that steps along them really go.
     """
-    s, Vt = null_space(chain, samples)
+    s, _ = null_space(chain, samples)
     ways = np.count_nonzero(s <= OPEN_WAYS * np.maximum(s[:, :1], TINY), axis=1)
     plainest = int(np.argmin(ways))
     least = int(ways[plainest])
     if least <= max(1, chain.n - 6):
         return max(1, least)
     # along the solutions a step stays; across them, where the pose is left to second order, it is taken back
-    steps = DIMENSION_PROBE * Vt[plainest, chain.n - least :]
-    there = newton(chain, samples[plainest] + steps * chain.joints.unit, T, steps=40, cutoff=PRECISE_RANK)
-    gone = chain.joints.difference(there, samples[plainest])[missed(chain, there, T) < HOLDS] / DIMENSION_PROBE
-    return max(1, int(np.count_nonzero(np.linalg.svd(gone, compute_uv=False) > INDEPENDENT_STEPS)))
+    return max(1, len(ways_gone(chain, samples[plainest], T, least)))
 
 
 def crossings(motion: SelfMotion) -> list[Array]:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array
-from pieper.kinematics.joints import TURN
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status
 from pieper.solver.rows import Flag
@@ -13,8 +11,8 @@ from pieper.solver.words.closest import typed
 from pieper.tolerances import ARM_ANGLE_POLE, CLOSES, MOST_OPEN, TOLD_AS_TURN
 from pieper.words_by_number import plural
 
-#: Doublings of a quarter radian after which every variant of a posture by whole turns is inside.
-MOST_WIDENINGS = 16
+#: From here on (m) a slide's miss is said in metres.
+FAR = 10.0
 
 
 def why(plan: Plan, sols: Solutions) -> str:
@@ -104,39 +102,21 @@ def _by_linkage(plan: Plan) -> str:
     return f" Its linkage turns {' and '.join(names)} as the joints move: no joint turns the tool freely there."
 
 
-def _least_over(plan: Plan, q: Array) -> Array:
-    """Return by how much each joint (n,) is outside in the whole turns of q (n,) that are outside least, rad or m."""
-    joints, limits = plan.chain.joints.first(plan.n), plan.limits
-    if joints.coupled is None:
-        over = np.maximum(limits[:, 0] - q, q - limits[:, 1])
-        for k in (-1, 1):
-            turned: Array = q + k * TURN
-            moved = np.where(plan.prismatic, q, turned)
-            over = np.minimum(over, np.maximum(limits[:, 0] - moved, moved - limits[:, 1]))
-        return over
-    # the nearest variant outside is inside limits that are wider by what is missing
-    wider, found = 0.25 * joints.unit[:, None] * np.array([-1.0, 1.0]), q[None]
-    for _ in range(MOST_WIDENINGS):
-        found = joints.variants(q, limits + wider)
-        if len(found):
-            break
-        wider = wider * 2
-    over = np.maximum(limits[:, 0] - found, found - limits[:, 1])
-    return over[np.argmin((over / joints.unit).max(1))]
-
-
 def _outside_limits(plan: Plan, sols: Solutions) -> str:
-    least, sentence = float("inf"), "No solution lies inside the joint limits."
+    sentence = "No solution lies inside the joint limits."
     elsewhere = bool(plan.redundancy) and any(motion.inside for motion in sols.self_motions)
     held = f" at the chosen {_held(plan, sols)}" if plan.redundancy else ""
-    for q in sols.all_q:
-        over = _least_over(plan, q)
-        worst = int(np.argmax(over))
-        if over[worst] < least:
-            least = float(over[worst])
-            by = f"{over[worst] * 1e3:.4g} mm" if plan.prismatic[worst] else f"{np.degrees(over[worst]):.4g} deg"
-            one = len(sols.all_q) == 1
-            what = f"The only solution{held} breaks" if one else f"All {len(sols.all_q)} solutions{held} break"
-            which = "it" if one else "the least offending one"
-            sentence = f"{what} a joint limit; {which} exceeds {plan.names[worst]} by {by}."
+    if count := len(sols.all_q):
+        joints = plan.chain.joints.first(plan.n)
+        over = joints.least_over(sols.all_q, plan.limits)
+        # turns and slides are compared per length of the arm
+        worst = np.argmax(over / joints.unit, axis=1)
+        row = int(np.argmin((over / joints.unit).max(1)))
+        joint = int(worst[row])
+        by = over[row, joint]
+        far = f"{by * 1e3:.4g} mm" if by < FAR else f"{by:.4g} m"
+        said = far if plan.prismatic[joint] else f"{np.degrees(by):.4g} deg"
+        what = f"The only solution{held} breaks" if count == 1 else f"All {count} solutions{held} break"
+        which = "it" if count == 1 else "the least offending one"
+        sentence = f"{what} a joint limit; {which} exceeds {plan.names[joint]} by {said}."
     return f"{sentence} Other values have solutions inside." if elsewhere else sentence
