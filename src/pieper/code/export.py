@@ -166,6 +166,7 @@ def _postures(plan: Plan, own: Between) -> tuple[Array, Array, tuple[int, ...]]:
     limits = _tried(plan)
     # six digits of a joint vector and twelve of what follows are enough for the test, and short in the file
     q = np.round(rng.uniform(limits[:, 0], limits[:, 1], (40 * TESTS, plan.n)), DIGITS)
+    q = np.clip(q, *plan.limits.T)  # a joint may be held at half a turn, which no six digits are
     for j in own.fixed:
         q[:, j] = own.columns[j]
     T = np.round(fk(plan.chain, q), 12)
@@ -179,6 +180,12 @@ def _postures(plan: Plan, own: Between) -> tuple[Array, Array, tuple[int, ...]]:
     kept = np.flatnonzero(held & meant)[:ROUNDED]
     last = some[kept]
     first = np.setdiff1d(np.flatnonzero(clear), last)[: TESTS - len(last)]
+    if not len(first) + len(last):
+        raise PlanError(
+            f"no posture of {plan.name} inside its limits is clear of singular ones, so its code would say unclear of "
+            "every pose. Widen the limits of the joint that holds it there, or ask arm.ik.",
+            arm=plan.name,
+        )
     return (
         np.concatenate([q[first], np.round(nearest[kept], 12)]),
         np.concatenate([T[first], rounded[kept]]),
