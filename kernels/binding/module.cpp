@@ -131,4 +131,7 @@ NB_MODULE(_kernel, m) {
       "sincos", [](nb::handle x) { return elementary(0, x); }, nb::arg("x"),
       "(N,) -> (N, 2) sine and cosine, for tests.");
   m.def("atan2", [](nb::handle yx) { return elementary(1, yx); }, nb::arg("yx"), "(N, 2) y, x -> (N,), for tests.");
+  m.def(
+      "unit_angle", [](nb::handle yx) { return elementary(2, yx); }, nb::arg("yx"),
+      "(N, 2) y, x of length one -> (N,), in [-pi, pi], for tests.");
 }

@@ -55,6 +55,44 @@ PIEPER_INLINE void turn_inside(F (*q)[N], const Mask<F>* valid, const JointLimit
   }
 }
 
+// Where a joint's angle is measured from, and the turn that its limits want: values are put into (bottom, top], which is one turn.
+struct TurnOfJoint {
+  double shift;  // rad, added to an angle in [-pi, pi]
+  double top, bottom, middle;
+  double low, high;  // the limits, infinite where a turn of room holds every value
+};
+
+// Values in (-pi, pi] that do not lie inside go there by one turn up or down where that leads inside: (-pi, pi] is cut elsewhere.
+// lower <= pi and upper >= -pi.
+inline TurnOfJoint turn_of_joint(double lower, double upper, double offset) {
+  TurnOfJoint turn{0.0 - offset, kPi, -kPi, 0.0, lower, upper};
+  if (lower <= -kPi && upper >= kPi) {
+    turn.low = -__builtin_inf(), turn.high = __builtin_inf();
+  } else if (upper > kPi) {
+    turn.bottom = min(__builtin_nextafter(lower, -9.0), upper - kTwoPi);
+    turn.top = turn.bottom + kTwoPi;
+  } else if (lower < -kPi) {
+    turn.top = max(upper, lower + kTwoPi);
+    turn.bottom = turn.top - kTwoPi;
+  }
+  turn.middle = 0.5 * (turn.top + turn.bottom);
+  // one turn at most is left to be made
+  const double far = turn.middle - turn.shift;
+  if (far > kPi) turn.shift += kTwoPi;
+  else if (far < -kPi) turn.shift -= kTwoPi;
+  return turn;
+}
+template <class F> PIEPER_INLINE F turned_into(const TurnOfJoint& turn, F angle) {
+  F v = angle + turn.shift;
+  v = select(v > turn.top, v - kTwoPi, v);
+  return select(v <= turn.bottom, v + kTwoPi, v);
+}
+// A value that stands there turned by half a turn.
+template <class F> PIEPER_INLINE F half_a_turn_on(const TurnOfJoint& turn, F v) {
+  v = select(v > turn.middle, v - kPi, v + kPi);
+  return select(v <= turn.bottom, v + kTwoPi, v);
+}
+
 inline void apply_limits(double* q, const std::uint8_t* valid, long rows, int n, const double* lower,
                          const double* upper, const std::uint8_t* prismatic, std::uint8_t* in_limits) {
   constexpr int W = PIEPER_LANES;

@@ -81,7 +81,8 @@ template <class Own, class Family> bool record_group(nb::dict given, Rows& out) 
 bool record_parallel(nb::dict given, Rows& out) {
   const SphericalWristParallel own = read<SphericalWristParallel>(given);
   Branches<Recorded, 8, 6> found;
-  SphericalWristParallelKernel::branches<Recorded>(own, the_pose(), found);
+  SphericalWristParallelKernel::branches<Recorded>(own, the_pose(), found,
+                                                   SphericalWristParallelKernel::AsTheyCome<Recorded>(own));
   for (int m = 0; m < 8; ++m) {
     for (int j = 0; j < 6; ++j) out.q[m][j] = found.q[m][j];
     out.valid[m] = found.reached[m];

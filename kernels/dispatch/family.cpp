@@ -15,9 +15,8 @@ using Kernel = PIEPER_JOIN(PIEPER_FAMILY, Kernel);
 template <class K> constexpr decltype(FamilyEntry::solve_inside) solve_inside() {
   if constexpr (!requires { &K::solve_inside; }) return nullptr;
   else
-    return [](const void* kernel, const double* T, long count, const JointLimits& limits, double* q,
-              std::uint8_t* valid, std::uint8_t* flag, std::uint8_t* in_limits) {
-      static_cast<const K*>(kernel)->solve_inside(T, count, limits, q, valid, flag, in_limits);
+    return [](const void* kernel, const double* T, long count, const Directly& how, const Answers& to) {
+      return static_cast<const K*>(kernel)->solve_inside(T, count, how, to);
     };
 }
 

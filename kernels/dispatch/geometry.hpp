@@ -36,7 +36,22 @@ struct Choice {
 struct JointLimits {
   const double *lower, *upper;
   const std::uint8_t* prismatic;
-  bool once;  // a value in (-pi, pi] that no single turn brings inside is brought there by none
+  bool
+      once;  // no lower one above half a turn, no upper one below minus half a turn: one turn or none brings a value in (-pi, pi] inside
+};
+
+// Where answers go: q count x slots x joints, valid and in_limits count x slots, flag and outcome count (0 no rows, 1
+// rows outside the limits alone, 2 a row inside).
+struct Answers {
+  double* q;
+  std::uint8_t *valid, *in_limits, *flag, *outcome;
+};
+
+// How poses are checked, solved, limited and stored in one go.
+struct Directly {
+  JointLimits limits;
+  double exact;     // poses that depart less from rigid motions are solved as they are
+  bool past_cache;  // rows are written past the cache
 };
 
 struct Geometry {

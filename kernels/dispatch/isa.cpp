@@ -7,6 +7,7 @@
 #include "chain/downhill_lanes.hpp"
 #include "chain/forward.hpp"
 #include "chain/limits.hpp"
+#include "chain/outcomes.hpp"
 #include "chain/posecheck.hpp"
 #include "chain/row_order.hpp"
 #include "chain/selection.hpp"
@@ -16,6 +17,7 @@
 #include "lanes/stream.hpp"
 #include "maps/posture_measures.hpp"
 #include "time_law/fastest.hpp"
+#include "lanes/unit_angle.hpp"
 #include "time_law/in_time.hpp"
 
 namespace pieper {
@@ -45,7 +47,7 @@ void elementary(int what, const double* x, long count, double* out) {
       b.v[k] = what == 0 ? 0.0 : x[2 * (i + k) + 1];
     }
     if (what == 0) sincos(a, s, c);
-    else s = atan2(a, b);
+    else s = what == 1 ? atan2(a, b) : unit_angle(a, b);
     for (int k = 0; k < lanes; ++k) {
       if (what == 0) out[2 * (i + k)] = lane(s, k), out[2 * (i + k) + 1] = lane(c, k);
       else out[i + k] = lane(s, k);

@@ -25,9 +25,9 @@ struct FamilyEntry {
   const void* (*make)(const Geometry&);
   void (*drop)(const void* kernel);
   void (*solve)(const void* kernel, const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag);
-  // The same with limits of which `once` holds, as IsaTable::limits has it; null for a family that leaves them to that.
-  void (*solve_inside)(const void* kernel, const double* T, long count, const JointLimits& limits, double* q,
-                       std::uint8_t* valid, std::uint8_t* flag, std::uint8_t* in_limits);
+  // Checks, solves, limits and stores poses in one go, with limits of which `once` holds; null for a family that leaves that to others.
+  // False where a pose departs from a rigid motion by more than is exact: what has been written then is of no meaning.
+  bool (*solve_inside)(const void* kernel, const double* T, long count, const Directly& how, const Answers& to);
 };
 
 // How rows of a pose are compared with a joint vector (chain/selection.hpp). lower, upper: of q, slack included, rad or m;
@@ -113,7 +113,8 @@ struct IsaTable {
   void (*in_time)(const CubicPieces& p, long pieces, const double* t, const double* c, const double* times, long count,
                   double* s, double* q, double* dq, double* ddq, double* dddq);
 
-  // sin and cos (what = 0: out is count x 2) or atan2 of pairs (what = 1: x is count x 2), for the tests.
+  // sin and cos (what = 0: out is count x 2), or of pairs (x is count x 2) atan2 (what = 1) or the angle of one of length one
+  // (what = 2), for the tests.
   void (*elementary)(int what, const double* x, long count, double* out);
 };
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -23,6 +24,8 @@ constexpr long kBlock = 256;            // poses at most; about 100 kB of answer
 constexpr long kScratch = 24 * 1024;    // bytes of answers that stay in the first cache until they are copied past it
 constexpr long kSmallestBlock = 16;     // poses; a multiple of every width of lanes
 constexpr long kUsualCache = 8L << 20;  // bytes, where the processor does not tell
+constexpr long kMostCache = 32L << 20;  // bytes: a virtual machine may be told of all its host's caches together
+constexpr long kShare = 4;              // so many want the cache that all cores share, answers being one of them
 constexpr long kSerialBelow = 2000;     // starting a thread costs as much as this many closed-form poses
 constexpr double kHalfTurn = 3.14159265358979323846;
 
@@ -30,7 +33,7 @@ constexpr double kHalfTurn = 3.14159265358979323846;
 long cache_size() {
 #if defined(_SC_LEVEL3_CACHE_SIZE)
   static const long found = sysconf(_SC_LEVEL3_CACHE_SIZE);
-  if (found > 0) return found;
+  if (found > 0) return std::min(found, kMostCache);
 #endif
   return kUsualCache;
 }
@@ -51,14 +54,17 @@ Solver::Solver(const Geometry& geometry, std::vector<double> lower, std::vector<
   if (lower_.size() != size || upper_.size() != size || prismatic_.size() != size)
     throw std::invalid_argument("lower, upper and prismatic must have one entry a joint, " + std::to_string(size) +
                                 " here.");
-  // a second turn leads beyond three half turns
-  for (std::size_t j = 0; j < size; ++j)
-    once_ &= prismatic_[j] || ((lower_[j] <= kHalfTurn || upper_[j] <= 3 * kHalfTurn) &&
-                               (upper_[j] >= -kHalfTurn || lower_[j] >= -3 * kHalfTurn));
+  for (std::size_t j = 0; j < size; ++j) once_ &= prismatic_[j] || (lower_[j] <= kHalfTurn && upper_[j] >= -kHalfTurn);
   kernel_ = family_.make(geometry);
 }
 
-long Solver::solve_block(const double* T, long count, double* deviation, double* straight, const Answers& to) const {
+long Solver::solve_block(const double* T, long count, double* deviation, double* straight, bool past_cache,
+                         const Answers& to) const {
+  const auto at_once = [&](const double* poses, double exact) {
+    return once_ && family_.solve_inside &&
+           family_.solve_inside(kernel_, poses, count, {limits(), exact, past_cache}, to);
+  };
+  if (at_once(T, exact_)) return count;
   const double largest = isa_.deviation(T, count, deviation);
   if (!(largest <= accepted_))
     return std::find_if(deviation, deviation + count, [&](double d) { return !(d <= accepted_); }) - deviation;
@@ -67,24 +73,30 @@ long Solver::solve_block(const double* T, long count, double* deviation, double*
     isa_.straighten(T, deviation, exact_, count, straight);
     T = straight;
   }
-  const JointLimits limits = {lower_.data(), upper_.data(), prismatic_.data(), once_};
-  const bool fused = once_ && family_.solve_inside;
-  if (fused) family_.solve_inside(kernel_, T, count, limits, to.q, to.valid, to.flag, to.in_limits);
-  else family_.solve(kernel_, T, count, to.q, to.valid, to.flag);
-  if (!family_.in_order) isa_.put_in_order(to.q, to.valid, count, slots(), joints(), prismatic_.data());
+  // by the same road: what a pose comes to is not to hang on the others of its block
+  const bool done = at_once(T, std::numeric_limits<double>::infinity());
+  if (!done) {
+    family_.solve(kernel_, T, count, to.q, to.valid, to.flag);
+    if (!family_.in_order) isa_.put_in_order(to.q, to.valid, count, slots(), joints(), prismatic_.data());
+  }
   if (rounded)
     for (long i = 0; i < count; ++i) to.flag[i] |= deviation[i] > exact_ ? kRounded : 0;
-  if (!fused)
-    isa_.limits(to.q, to.valid, count * slots(), joints(), limits.lower, limits.upper, limits.prismatic, to.in_limits);
-  isa_.outcomes(to.valid, to.in_limits, count, slots(), to.outcome);
+  if (!done) {
+    isa_.limits(to.q, to.valid, count * slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(),
+                to.in_limits);
+    isa_.outcomes(to.valid, to.in_limits, count, slots(), to.outcome);
+  }
   return count;
 }
 
 Outcome Solver::solve(const double* T, long count, int threads, const Answers& to, const Chosen& chosen, BadPose& bad,
                       const std::function<bool(long)>& keep_going) const {
   const long record = static_cast<long>(slots()) * joints(), bytes = record * static_cast<long>(sizeof(double));
-  // answers larger than the cache are made in a scratch that stays in it and then copied past it
-  const bool streams = count * bytes > cache_size();
+  // Large answers go past the cache: at once, which spares reading lines that are only written, or where they are read again or the
+  // family knows no such way from a scratch that stays in it.
+  const bool at_once = once_ && family_.solve_inside && !chosen.by,
+             past_cache = count * bytes > (at_once ? cache_size() / kShare : cache_size()),
+             streams = past_cache && !at_once;
   const long block =
       streams ? std::clamp(kScratch / bytes / kSmallestBlock * kSmallestBlock, kSmallestBlock, kBlock) : kBlock;
   std::atomic<long> next{0}, done{0}, first_bad{count};
@@ -100,7 +112,7 @@ Outcome Solver::solve(const double* T, long count, int threads, const Answers& t
       double* const q = to.q + record * first;
       const Answers part = {streams ? scratch.get() : q, to.valid + slots() * first, to.in_limits + slots() * first,
                             to.flag + first, to.outcome + first};
-      const long good = solve_block(T + 16 * first, here, deviation, straight, part);
+      const long good = solve_block(T + 16 * first, here, deviation, straight, past_cache && at_once, part);
       if (good < here) {
         // blocks are handed out in order: those before this one are being looked at, and may hold an earlier one
         const std::lock_guard lock(of_bad);

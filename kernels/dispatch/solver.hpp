@@ -16,13 +16,6 @@ struct BadPose {
       deviation;  // max abs of R^T R - 1 and of the last row against 0 0 0 1; 2 when left handed; NaN when not finite
 };
 
-// Where answers go: q count x slots x n, valid and in_limits count x slots, flag and outcome count (0 no rows, 1 rows outside the
-// limits alone, 2 a row inside).
-struct Answers {
-  double* q;
-  std::uint8_t *valid, *in_limits, *flag, *outcome;
-};
-
 // A row chosen for each pose while it is at hand: near + i * stride is what pose i is to be near to; chosen count x n, has count.
 // `by` null: none is.
 struct Chosen {
@@ -65,7 +58,9 @@ class Solver {
 
  private:
   // Returns the block's first pose that is no rigid motion, or count.
-  long solve_block(const double* T, long count, double* deviation, double* straight, const Answers& to) const;
+  long solve_block(const double* T, long count, double* deviation, double* straight, bool past_cache,
+                   const Answers& to) const;
+  JointLimits limits() const { return {lower_.data(), upper_.data(), prismatic_.data(), once_}; }
 
   const IsaTable& isa_;
   const FamilyEntry& family_;

@@ -14,6 +14,7 @@
 #include "closed_form/lanes/group.hpp"
 #include "elimination/entry.hpp"
 #include "hidden_angle/refined_roots.hpp"
+#include "lanes/unit_angle.hpp"
 
 namespace pieper::PIEPER_ISA::hidden_angle {
 
@@ -95,7 +96,7 @@ template <class F, class Family> void enter(const HiddenAngle& head, const typen
   auto unclear = Family::complete(arm, x.target, x.root, x.slope, x.side, q);
   const F miss = missed_by(head, truth, q, x.tool);
   F value[6];
-  for (int j = 0; j < 6; ++j) value[j] = head.slides[j] ? q[j].c * head.length : atan2(q[j].s, q[j].c);
+  for (int j = 0; j < 6; ++j) value[j] = head.slides[j] ? q[j].c * head.length : unit_angle_wrapped(q[j].s, q[j].c);
   unclear = unclear | !(miss <= 0.5 * kClosedVerified);
   const unsigned bits = bits_of(unclear);
   F ordered[6];

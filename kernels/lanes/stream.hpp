@@ -18,7 +18,14 @@ template <int W> PIEPER_INLINE void store_past_cache(double* to, Lanes<W> x) {
 }
 #endif
 
-inline void copy_past_cache(double* to, const double* from, long count) {
+// To be called once all is copied, before others are told of it.
+inline void past_cache_done() {
+#if defined(__SSE2__)
+  _mm_sfence();
+#endif
+}
+
+inline void put_past_cache(double* to, const double* from, long count) {
 #if defined(__SSE2__)
   constexpr int W = PIEPER_LANES;
   constexpr std::uintptr_t size = 8 * W;
@@ -29,10 +36,14 @@ inline void copy_past_cache(double* to, const double* from, long count) {
   for (; k < count && reinterpret_cast<std::uintptr_t>(to + k) % size != 0; ++k) one(k);
   for (; k + W <= count; k += W) store_past_cache(to + k, load<Lanes<W>>(from + k));
   for (; k < count; ++k) one(k);
-  _mm_sfence();
 #else
   __builtin_memcpy(to, from, sizeof(double) * count);
 #endif
+}
+
+inline void copy_past_cache(double* to, const double* from, long count) {
+  put_past_cache(to, from, count);
+  past_cache_done();
 }
 
 }  // namespace pieper::PIEPER_ISA

@@ -126,16 +126,41 @@ def test_no_answer_depends_on_threads_progress_or_reused_arrays(name, near):
     assert told[-1] == (count, count) and told == sorted(told)
 
 
-def test_a_large_batch_is_written_past_the_cache_alike():
-    arm = pieper.load("denso-vs6577")
+@pytest.mark.parametrize("chosen", [False, True])
+@pytest.mark.parametrize("name", ["denso-vs6577", "universal-robots-ur5e"])
+def test_a_large_batch_is_written_past_the_cache_alike(name, chosen):
+    arm = pieper.load(name)
     rng = np.random.default_rng(9)
     T = arm.fk(rng.uniform(-3, 3, (100_003, 6)))
-    near = rng.uniform(-3, 3, (len(T), 6))
+    T[7::1000, :3, 3] *= 20  # out of reach
+    T[9::1000, :3, :3] = np.round(T[9::1000, :3, :3], 7)  # no rotation but for rounding
+    near = rng.uniform(-3, 3, (len(T), 6)) if chosen else None
     large = arm.ik_many(T, near=near)
+    elsewhere = np.empty(large.q.size + 1)[1:].reshape(large.q.shape)  # on no line of the cache
+    out = dataclasses.replace(large, found=dataclasses.replace(large.found, q=elsewhere))
+    arm.ik_many(T, near=near, out=out)
     for at in (slice(0, 999), slice(50_000, 51_111), slice(len(T) - 777, None)):
-        small = arm.ik_many(T[at], threads=1, near=near[at])
-        for field in ("q", "valid", "in_limits", "status", "flag", "nearest", "has_nearest"):
+        small = arm.ik_many(T[at], threads=1, near=None if near is None else near[at])
+        for field in ("q", "valid", "in_limits", "status", "flag") + ("nearest", "has_nearest") * chosen:
             assert np.array_equal(getattr(large, field)[at], getattr(small, field)), field
+            assert np.array_equal(getattr(out, field)[at], getattr(small, field)), field
+
+
+@pytest.mark.parametrize("name", ["denso-vs6577", "universal-robots-ur5e", "fanuc-crx-10ia"])
+def test_few_unclear_poses_among_many_are_told_as_they_are_alone(name):
+    arm = pieper.load(name)
+    rng = np.random.default_rng(3)
+    q = rng.uniform(-3, 3, (2000, 6))
+    q[5::100, 4] = 0  # on or beside singular postures
+    q[6::100, [2, 4]] = 1e-9
+    T = arm.fk(q)
+    T[7::100, :3, 3] *= 3
+    many = arm.ik_many(T)
+    for i in np.flatnonzero((many.status != Status.SOLVED) | (many.flag > 0))[:80].tolist():
+        alone, one = arm.ik_many(T[i : i + 1]), many[i]
+        for field in ("q", "valid", "in_limits", "status", "flag"):
+            assert np.array_equal(getattr(many, field)[i], getattr(alone, field)[0]), (i, field)
+        assert one.status == arm.ik(T[i]).status
 
 
 def test_rows_are_the_valid_ones_with_their_pose():

@@ -3,6 +3,7 @@
 // A template over the number type: one pose in doubles, many in lanes; its careful twin is scalar.
 #pragma once
 
+#include "chain/outcomes.hpp"
 #include "chain/row_order.hpp"
 #include "closed_form/careful/group.hpp"
 #include "closed_form/careful/position.hpp"
@@ -48,13 +49,14 @@ template <class F> PIEPER_INLINE void put_pair(const GroupArm& arm, const PairLa
   q[arm.order[0]] = s.angle_a[i], q[arm.order[1]] = b, q[arm.order[2]] = s.angle_c[i];
 }
 
-// Lanes of poses through a family, verified by closing the loop, rows in order; bits of the lanes that need the careful road.
+// Lanes of poses through a family, verified by closing the loop, rows in order; bits of the lanes that need the careful road. limits: null
+// where they are left to others.
 template <class F, class Family>
-__attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family& family, const double* T, int lanes,
-                                               const JointLimits* limits, double* q, std::uint8_t* valid,
+__attribute__((noinline)) unsigned solve_clear(const GroupArm& arm, const Family& family, const RigidT<F>& pose,
+                                               int lanes, const JointLimits* limits, double* q, std::uint8_t* valid,
                                                std::uint8_t* flag, std::uint8_t* in_limits) {
   constexpr int W = width_of<F>;
-  const LoopRestT<F> rest(arm.links, in_lengths(load_poses<F>(T), arm.length), arm.first);
+  const LoopRestT<F> rest(arm.links, in_lengths(pose, arm.length), arm.first);
   LaneSolutions<F> out;
   family.template solve<F>(arm, rest, out);
   F values[8][6];
@@ -101,37 +103,57 @@ template <class Geometry, class Lanes_> class GroupKernel {
   explicit GroupKernel(const Geometry& arm) : arm_(arm), family_(arm_) {}
 
   void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
-    solve_all(T, count, nullptr, q, valid, flag, nullptr);
+    const Answers to = {q, valid, nullptr, flag, nullptr};
+    if (!arm_.straight || !family_.straight) {
+      for (long i = 0; i < count; ++i) again(1, T + 16 * i, nullptr, part(to, i));
+    } else if (count == 1) {
+      again(solve_clear<double>(arm_, family_, load_poses<double>(T), 1, nullptr, q, valid, flag, nullptr), T, nullptr,
+            to);
+    } else {
+      in_lanes(T, count, [&](long first, int lanes, const double* poses) {
+        clear_or_again(load_poses<Wide>(poses), poses, lanes, nullptr, part(to, first));
+      });
+    }
   }
-  void solve_inside(const double* T, long count, const JointLimits& limits, double* q, std::uint8_t* valid,
-                    std::uint8_t* flag, std::uint8_t* in_limits) const {
-    solve_all(T, count, &limits, q, valid, flag, in_limits);
+  bool solve_inside(const double* T, long count, const Directly& how, const Answers& to) const {
+    bool exact =
+        arm_.straight && family_.straight;  // the careful road alone: those who ask look at its poses themselves
+    if (!exact) return false;
+    double rows[48 * width_of<Wide>];
+    in_lanes(T, count, [&](long first, int lanes, const double* poses) {
+      const Given<Wide> given = load_given<Wide>(poses);
+      if (!(exact = exact && all(is_exact(given, how.exact)))) return;
+      Answers here = part(to, first);
+      double* const q = here.q;
+      if (how.past_cache) here.q = rows;
+      clear_or_again(given.pose, poses, lanes, &how.limits, here);
+      if (how.past_cache) put_past_cache(q, rows, 48l * lanes);
+    });
+    if (how.past_cache) past_cache_done();
+    if (exact) outcomes(to.valid, to.in_limits, count, 8, to.outcome);
+    return exact;
   }
 
  private:
-  void solve_all(const double* T, long count, const JointLimits* limits, double* q, std::uint8_t* valid,
-                 std::uint8_t* flag, std::uint8_t* in_limits) const {
-    auto inside_of = [&](long at) { return limits ? in_limits + 8 * at : nullptr; };
-    auto again = [&](unsigned unclear, long first) {
-      for (; unclear; unclear &= unclear - 1) {
-        const long i = __builtin_ctz(unclear), at = first + i;
-        family_.careful(arm_, T + 16 * at, q + 48 * at, valid + 8 * at, flag + at);
-        put_in_order(q + 48 * at, valid + 8 * at, 8, 6, reinterpret_cast<const std::uint8_t*>(arm_.slides));
-        if (limits)
-          apply_limits(q + 48 * at, valid + 8 * at, 8, 6, limits->lower, limits->upper, limits->prismatic,
-                       inside_of(at));
-      }
-    };
-    if (!arm_.straight || !family_.straight) {
-      for (long i = 0; i < count; ++i) again(1, i);
-    } else if (count == 1) {
-      again(solve_clear<double>(arm_, family_, T, 1, limits, q, valid, flag, in_limits), 0);
-    } else {
-      in_lanes(T, count, [&](long first, int lanes, const double* poses) {
-        again(solve_clear<Lanes<PIEPER_LANES>>(arm_, family_, poses, lanes, limits, q + 48 * first, valid + 8 * first,
-                                               flag + first, inside_of(first)),
-              first);
-      });
+  using Wide = Lanes<PIEPER_LANES>;
+
+  static Answers part(const Answers& to, long first) {
+    return {to.q + 48 * first, to.valid + 8 * first, to.in_limits ? to.in_limits + 8 * first : nullptr, to.flag + first,
+            to.outcome ? to.outcome + first : nullptr};
+  }
+  void clear_or_again(const RigidT<Wide>& pose, const double* T, int lanes, const JointLimits* limits,
+                      const Answers& to) const {
+    again(solve_clear<Wide>(arm_, family_, pose, lanes, limits, to.q, to.valid, to.flag, to.in_limits), T, limits, to);
+  }
+  // The poses that bits of `unclear` name on the careful road.
+  void again(unsigned unclear, const double* T, const JointLimits* limits, const Answers& to) const {
+    for (; unclear; unclear &= unclear - 1) {
+      const long i = __builtin_ctz(unclear);
+      family_.careful(arm_, T + 16 * i, to.q + 48 * i, to.valid + 8 * i, to.flag + i);
+      put_in_order(to.q + 48 * i, to.valid + 8 * i, 8, 6, reinterpret_cast<const std::uint8_t*>(arm_.slides));
+      if (limits)
+        apply_limits(to.q + 48 * i, to.valid + 8 * i, 8, 6, limits->lower, limits->upper, limits->prismatic,
+                     to.in_limits + 8 * i);
     }
   }
 

@@ -4,11 +4,14 @@
 
 #include "closed_form/lanes/quartic.hpp"
 #include "closed_form/careful/pair.hpp"
+#include "lanes/unit_angle.hpp"
 
 namespace pieper::PIEPER_ISA::closed_form {
 
 // The angle of a revolute joint, the way of a sliding one.
-template <class F> PIEPER_INLINE F joint_value(Motion<F> m, bool slides) { return slides ? m.c : atan2(m.s, m.c); }
+template <class F> PIEPER_INLINE F joint_value(Motion<F> m, bool slides) {
+  return slides ? m.c : unit_angle_wrapped(m.s, m.c);
+}
 
 template <class F> struct PairLanes {
   F M[2][2], N[2][2], e[2];

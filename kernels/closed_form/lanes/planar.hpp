@@ -39,7 +39,7 @@ struct PlanarLanes {
   // q: two triples (rad; lengths of the arm) for a turn (c, s) and a place; returns where they exist among the `wanted`.
   template <class F>
   PIEPER_INLINE Mask<F> solve(F c, F s, F x, F y, Mask<F> wanted, F (*q)[3], Mask<F>& unclear) const {
-    const F turn_by = atan2_closed(s, c), rest = wrapped(turn_by - sum);  // what the turning joints add up to
+    const F turn_by = unit_angle(s, c), rest = wrapped(turn_by - sum);  // what the turning joints add up to
     Mask<F> exists = wanted;
     // half of the two roots' difference from its square, `size` being what that is compared with
     auto root_of = [&](F room, F size) {
@@ -55,7 +55,7 @@ struct PlanarLanes {
       case 0: {
         const F r2 = x * x + y * y, cosine = (r2 - (a * a + b * b)) * (0.5 / (a * b));
         const F sine = root_of((1.0 - cosine) * (1.0 + cosine), F(1.0));
-        const F bend = atan2_closed(sine, cosine), ahead = clear_heading(x, y) - heading_1;
+        const F bend = unit_angle(sine, cosine), ahead = clear_heading(x, y) - heading_1;
         const F inner = atan2_closed(b * sine, a + b * cosine);  // between the first link and the line to the place
         for (int n = 0; n < 2; ++n) {
           q[n][1] = wrapped((n ? -bend : bend) + shift);

@@ -91,8 +91,8 @@ struct SphericalWristLanes {
         Motion<F> t3 = {0.5 * (dot(x2, rx) + dot(y3, ry)), 0.5 * (dot(y3, rx) - dot(x2, ry))};
         F miss = max(largest(t3.c * x2 + t3.s * y3 - rx), largest(t3.c * y3 - t3.s * x2 - ry));
         out.unclear = out.unclear | (exists & !(max(miss, off) <= 0.5 * kClosedVerified));
-        q[arm.first] = wrapped(atan2_closed(t1.s, t1.c) + shift[0]);
-        q[arm.first + 2] = wrapped(atan2_closed(t3.s, t3.c) + shift[2]);
+        q[arm.first] = wrapped(unit_angle(t1.s, t1.c) + shift[0]);
+        q[arm.first + 2] = wrapped(unit_angle(t3.s, t3.c) + shift[2]);
       }
     }
   }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
@@ -28,6 +29,8 @@ Progress: TypeAlias = Callable[[int, int], object]
 PREVIOUS = "previous"
 #: Poses that are solved together where rows are made of rows in Python: it bounds the memory.
 BLOCK = 4096
+#: Bytes of a line of the cache.
+_LINE = 64
 #: Poses between two looks at the progress where the kernels' rows are the answer.
 LARGE_BLOCK = 1 << 16
 
@@ -188,7 +191,7 @@ def arrays_of(plan: Plan, out: object, count: int, slots: int, near: Near | None
     shape = (count, slots, plan.n)
     chosen = None
     if out is None:
-        rows = Rows(np.empty(shape), np.empty(shape[:2], bool), np.empty(shape[:2], bool), np.empty(count, np.uint8))
+        rows = Rows(_on_lines(shape), np.empty(shape[:2], bool), np.empty(shape[:2], bool), np.empty(count, np.uint8))
         status = np.empty(count, np.uint8)
     else:
         if not isinstance(out, SolutionBatch):
@@ -209,6 +212,14 @@ def arrays_of(plan: Plan, out: object, count: int, slots: int, near: Near | None
         _writable(chosen.q, "nearest", (count, plan.n), np.float64)
         _writable(chosen.found, "has_nearest", shape[:1], np.bool_)
     return SolutionBatch(plan, rows, status, chosen)
+
+
+def _on_lines(shape: tuple[int, ...]) -> Array:
+    """Return a new array that begins with a line of the cache, so that the kernels write whole lines of it."""
+    size = math.prod(shape)
+    room = np.empty(size + _LINE // 8)
+    first = -room.ctypes.data % _LINE // 8
+    return room[first : first + size].reshape(shape)
 
 
 def _writable(array: npt.NDArray[np.generic], name: str, shape: tuple[int, ...], kind: type[np.generic]) -> None:

@@ -37,6 +37,10 @@ class Rows:
         """Return the rows of some of the poses; those of a slice can be written to here too."""
         return Rows(self.q[at], self.valid[at], self.inside[at], self.flags[at])
 
+    def put(self, at: Indices, part: Rows) -> None:
+        """Write the rows of some of the poses."""
+        self.q[at], self.valid[at], self.inside[at], self.flags[at] = part.q, part.valid, part.inside, part.flags
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Chosen:

@@ -12,7 +12,7 @@ import numpy as np
 
 from pieper import arguments
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
+from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Indices, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, is_exact
 from pieper.solver.afar import one_from_afar, rows_from_afar
 from pieper.solver.batch import SolutionBatch
@@ -161,13 +161,19 @@ def _into(
         else (near.select, near.to, chosen.q, chosen.found)
     )
     plan.solver.into(poses, threads, rows.q, rows.valid, rows.inside, rows.flags, outcome, *by, told)
-    if outcome.all() and not rows.flags.any():
-        into.status[:] = _PLAIN[outcome]
+    np.take(_PLAIN, outcome, out=into.status, mode="clip")
+    unclear = np.flatnonzero(rows.flags | (outcome == 0))
+    if not len(unclear):
         return
-    unclear = np.flatnonzero((rows.flags != 0) | (outcome == 0))
-    without_doubt(plan, poses, rows)
-    into.status[:] = _look(plan, poses, rows)
-    into.status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
+    if len(unclear) < len(poses):
+        # by themselves: for one among many the arrays of all would be gone through again and again
+        part, some = rows.part(unclear), np.ascontiguousarray(poses[unclear])
+        _refuse_too_far(poses, unclear[~any_row(part.valid)])
+        into.status[unclear] = _looked_at(plan, some, part)
+        rows.put(unclear, part)
+    else:
+        _refuse_too_far(poses, unclear[~any_row(rows.valid)])
+        into.status[:] = _looked_at(plan, poses, rows)
     if near is not None and chosen is not None:
         near.choose_again(rows, unclear, chosen)
 
@@ -175,13 +181,14 @@ def _into(
 def _through(plan: Plan, poses: Array, asked: Choice, threads: int) -> SolutionBatch:
     """Solve poses of an arm or a task that became a six-joint chain."""
     rows = rows_at_choice(plan, poses, asked, threads, _alone)
-    without_doubt(plan, poses, rows)
     if plan.redundancy:
+        without_doubt(plan, poses, rows)
         rows, status = _spare(plan, poses, rows, asked, threads)
         rows.flags[:] &= np.uint8(255 ^ _EDGE)
+        status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     else:
-        status = _look(plan, poses, rows)
-    status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
+        _refuse_too_far(poses, np.flatnonzero(~any_row(rows.valid)))
+        status = _looked_at(plan, poses, rows)
     return SolutionBatch(plan, rows, status)
 
 
@@ -284,14 +291,26 @@ def _with_care(plan: Plan, T: Array, q: Array, flag: int) -> Solutions:
     return Solutions(plan, WORDS, T, q, np.arange(len(q)), inside, flag, found, found.self_motions)
 
 
+def _refuse_too_far(poses: Array, without_rows: Indices) -> None:
+    """Say which pose is too far away to be one, of those that have no rows: the kernels refuse no place."""
+    if not np.all(np.abs(poses[without_rows, :3, 3]) <= FARTHEST):
+        checked_pose(poses, "Ts", batch=True)
+
+
+def _looked_at(plan: Plan, poses: Array, rows: Rows) -> Bits:
+    """Take the doubt off what is beyond reach, look with care at every pose that needs it, and return all statuses."""
+    without_doubt(plan, poses, rows)
+    status = _look(plan, poses, rows)
+    status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
+    return status
+
+
 def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     """Look with care at every pose that needs it, put what is found into this call's rows, and return all statuses."""
     some = any_row(rows.valid)
     status = _PLAIN[some.astype(np.uint8) + any_row(rows.inside)]
     if some.all() and not rows.flags.any():
         return status
-    if not np.all(np.abs(poses[~some, :3, 3]) <= FARTHEST):
-        checked_pose(poses, "Ts", batch=True)  # the kernel refuses no place, however far
     from pieper.solver.singular.careful import sure_beside
     from pieper.solver.singular.overlooked import overlooked
     from pieper.solver.singular.read_off import crowded
