@@ -149,9 +149,9 @@ class Look {
     std::copy(q, q + kSix, root.q);
     if (root.branches == 2) onto_root_of_fold(arm_, T, d, bend, root.q);
     const bool flat = root.branches == 0;
-    if (flat) {  // too flat to be told by its second order; next to a group's own line, where the joints beside are at a fold
-      if (at_fold(q, at)) return two_ways(T, q, alone, motions);
-      if (next_to_.held(T, q, d.joint[5])) return false;
+    if (flat) {  // too flat to be told by its second order
+      // next to a group's own line the pose is all but held, where the joints beside are at a fold
+      if (next_to_.held(T, q, d.joint[5])) return at_fold(q, at) && two_ways(T, q, alone, motions);
       root.branches = branches_at(arm_, T, root.q);
     }
     if (root.branches == 1 && free == Free::NO && !twin_is_told(T, q, d, bend, rows, alone) && !flat &&

@@ -97,7 +97,8 @@ inline bool on_two_sides(const SixJoints& arm, const double* a, const double* b)
 // Two are one when everything between them holds the pose to rounding as well: the blur of a double root is about 1e-8 wide, that
 // of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such are kept apart even where rounding
 // hides what is between them. Where several directions are free a root has no two sides, and one in which branches merge stands
-// between its own: what is missed on the way to them is rounding. Of two that are one, each on its side, two branches merge.
+// between its own: what is missed on the way to them is rounding; and on the way between two places that Newton's method has found such a
+// root at. Of two that are one, each on its side, two branches merge.
 inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Root>& roots) {
   struct Row {
     Root root;
@@ -119,8 +120,9 @@ inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Roo
     bool same = false;
     for (Row& other : kept) {
       const double apart = arm.apart(row.root.q, other.root.q);
-      const bool own = row.root.branches == 1 && other.root.branches > 1,
-                 sides = row.side != other.side && !own && std::max(row.root.branches, other.root.branches) < 4;
+      const bool several = std::max(row.root.branches, other.root.branches) >= 4,
+                 own = several || (row.root.branches == 1 && other.root.branches > 1),
+                 sides = row.side != other.side && !own;
       same = apart < kMergedSame;
       if (!same && apart < (sides ? kMergedTwins : kMergedBlur)) {
         // a chord leaves a bent curve: what lies between is moved onto it
@@ -129,6 +131,8 @@ inline void distinct_roots(const SixJoints& arm, const Rigid& T, std::vector<Roo
                most.rest <= rounding_of(T);
       }
       if (same && sides && apart >= kMergedSame && other.root.branches == 1) other.root.branches = 2;
+      // what rounding parts from a root of several directions may look like a root of fewer
+      if (same && other.root.branches > 1) other.root.branches = std::max(other.root.branches, row.root.branches);
       if (same) break;
     }
     if (!same) kept.push_back(row);

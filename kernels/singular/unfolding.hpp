@@ -78,8 +78,10 @@ class Unfolding {
     Unfolded out{{}, 1, 0};
     std::copy(q, q + chain_.joints, out.q);
     if (!expand(q)) {
-      out.branches = 1 << free_, out.blur = 3 * centred(out.q);
-      return out;
+      const double scattered = centred(out.q);
+      out.branches = 1 << free_, out.blur = 3 * std::fmax(scattered, 0.0);
+      if (scattered >= 0 || free_ > 2) return out;
+      expand(q, true);
     }
     bool near[kOrder];
     double least = INFINITY;
@@ -111,8 +113,9 @@ class Unfolding {
   bool merged(const double* q, int m, Unfolded& out) {
     std::copy(q, q + chain_.joints, out.q);
     double gone = 0, before = INFINITY;
+    const bool at_most = free_ > 1;
     for (int step = 0; step < kMostSteps; ++step) {
-      if (!expand(out.q)) return false;
+      if (!expand(out.q, at_most)) return false;
       const double t = centre(m);
       gone += std::fabs(t);
       if (!in_reach(m, gone)) return false;
@@ -133,10 +136,12 @@ class Unfolding {
   }
 
   // Puts q, where several directions are free, at the place about which rounding scatters their root: there the Jacobian lacks them to the
-  // last digits. Returns how far it scatters them; 0, and q as it was, where half way there the pose is missed by more than rounding.
+  // last digits. Returns how far it scatters them; otherwise q is as it was: 0 where no such place is told, less where that place, or half way
+  // there, misses the pose by more than rounding. Then q is a root of its own, or of fewer, next to where several directions are free.
   double centred(double* q) {
     const int n = chain_.joints, strong = n - free_;
     double at[6], gone = 0;
+    bool apart = false;  // as a fold's two roots are, in the direction that is least free
     std::copy(q, q + n, at);
     for (int step = 0; step < kMostSteps; ++step) {
       double J[6][6], e[6], t[6], size = 0;
@@ -147,6 +152,7 @@ class Unfolding {
       for (int a = 0; a < free_; ++a) size += t[a] * t[a];
       size = std::sqrt(size), gone += size;
       if (!(gone < kUnfoldingWidest)) return 0;
+      apart = d.s[strong] > 2 * std::sqrt(rounding_ * bent());
       for (int i = 0; i < n; ++i)
         for (int a = 0; a < free_; ++a) at[i] += t[a] * d.joint[strong + a][i];
       reach(d, e, strong, n, at);
@@ -156,9 +162,15 @@ class Unfolding {
     const double holds = kCentreHolds * rounding_;
     double between[6];
     for (int i = 0; i < n; ++i) between[i] = q[i] + 0.5 * (at[i] - q[i]);
-    if (!(missed(at) < holds) || !(missed(between) < std::fmax(holds, missed(q)))) return 0;
+    if (apart || !(missed(at) < holds) || !(missed(between) < std::fmax(holds, missed(q)))) return -1;
     std::copy(at, at + n, q);
     return gone;
+  }
+  // What the direction that is least free misses to second order.
+  double bent() const {
+    double sum = 0;
+    for (int r = chain_.joints - free_; r < 6; ++r) sum += bend_[0][0][r] * bend_[0][0][r];
+    return std::sqrt(sum);
   }
   double missed(const double* q) {
     double J[6][6], e[6], sum = 0;
@@ -244,8 +256,8 @@ class Unfolding {
   }
 
   // Fills the series about q; false where several directions are free: each is left to second order at least, and equations of second
-  // order in k unknowns have 2^k roots.
-  bool expand(const double* q) {
+  // order in k unknowns have 2^k roots. Where it is known that these stand apart, one is free `at_most`.
+  bool expand(const double* q, bool at_most = false) {
     const int n = chain_.joints;
     std::copy(q, q + n, way_[0]);
     set(0), coefficient(0);
@@ -254,7 +266,7 @@ class Unfolding {
     const SingularSix d(J);
     free_ = 0;
     for (int k = 0; k < n; ++k) free_ += !(d.s[k] > kOneWayFree * d.s[0]);
-    if (free_ > 1) return false;
+    if (free_ > 1 && !at_most) return false;
     open_ = 7 - n;
     std::copy(d.joint[n - 1], d.joint[n - 1] + n, way_[1]);
     double e[6];

@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
+from pieper.kinematics.bounded import nearer
 from pieper.kinematics.chain import Chain
-from pieper.kinematics.newton import downhill, missed, newton, singular_values, size_of
+from pieper.kinematics.newton import missed, newton, singular_values, size_of
 from pieper.solver.arm_rows import arm_rows
 from pieper.solver.families import named
 from pieper.solver.plan.plan import Plan
@@ -18,11 +19,11 @@ from pieper.solver.rows import Flag
 from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
 from pieper.solver.singular.examined import Examined
 from pieper.solver.singular.merged_roots import few_apart
-from pieper.solver.singular.self_motion import SelfMotion
+from pieper.solver.singular.self_motion import FREE, SelfMotion
 from pieper.tolerances import (
-    APPROACH_DAMPING,
     CLEARLY_REGULAR,
     HOLDS_EXACTLY,
+    NEAR_INSIDE,
     PRECISE_RANK,
     SAME_AFTER_CUT,
     SAME_ROW,
@@ -80,15 +81,8 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
 
 def _from_all_over(full: Chain, T: Array) -> Array:
     """Return joint vectors (m, joints) that hold T, from postures all over the joints' ranges."""
-    q, _ = downhill(
-        full,
-        sample_joints(full, ALL_OVER),
-        T,
-        steps=SLOW_STEPS,
-        weights=np.ones(6),
-        damping=APPROACH_DAMPING,
-        relative=lambda J, square: square,
-    )
+    q, left = nearer(full, sample_joints(full, ALL_OVER), T, np.tile(FREE, (full.n, 1)), np.ones(ALL_OVER), SLOW_STEPS)
+    q = q[left < NEAR_INSIDE**2]
     q = newton(full, q, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
     # next to a self-motion whole curves nearly hold the pose: what no kernel gave must hold it to rounding
     return q[missed(full, q, T) < HOLDS_EXACTLY * size_of(full, T)]

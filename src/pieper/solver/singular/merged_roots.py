@@ -61,7 +61,8 @@ def distinct_roots(chain: Chain, placed: list[tuple[Array, int]], T: Array) -> l
     Two rows are one when everything between them holds the pose to rounding as well: the blur of a double root is
     about 1e-8 wide, that of a triple root 1e-5. Neighbouring roots on a curve lie on two sides of a singularity: such
     rows are kept apart even where rounding hides what is between them. Where several directions are free a root has
-    no two sides, and one in which branches merge stands between its own: what is missed on the way to them is rounding.
+    no two sides, and one in which branches merge stands between its own: what is missed on the way to them is rounding;
+    and on the way between two places that Newton's method has found such a root at.
     Of two that are one, each on its side, two branches merge.
     """
     if not placed:
@@ -79,9 +80,10 @@ def distinct_roots(chain: Chain, placed: list[tuple[Array, int]], T: Array) -> l
             gap = chain.joints.way(row, other)
             apart = np.max(np.abs(gap / unit))
             if apart < MERGED_SAME:
+                branches[k] = max(branches[k], branches[index] * (branches[k] > 1))
                 break
-            own = branches[index] == 1 < branches[k]
-            sides = side[k] != side[index] and not own and max(branches[k], branches[index]) < SEVERAL_FREE
+            own = branches[index] == 1 < branches[k] or max(branches[k], branches[index]) >= SEVERAL_FREE
+            sides = side[k] != side[index] and not own
             if apart < (MERGED_TWINS if sides else MERGED_BLUR):
                 # a chord leaves a bent curve: what lies between is moved onto it
                 chord = other + np.array([[0.25], [0.5], [0.75]]) * gap
@@ -92,6 +94,8 @@ def distinct_roots(chain: Chain, placed: list[tuple[Array, int]], T: Array) -> l
                 if strayed < apart / 4 and not told:
                     if sides and branches[k] == 1:
                         branches[k] = 2
+                    # what rounding parts from a root of several directions may look like a root of fewer
+                    branches[k] = max(branches[k], branches[index] * (branches[k] > 1))
                     break
         else:
             kept.append(index)
