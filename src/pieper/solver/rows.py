@@ -42,7 +42,7 @@ class Rows:
         self.q[at], self.valid[at], self.inside[at], self.flags[at] = part.q, part.valid, part.inside, part.flags
 
     def put_one(self, at: int, q: Array, inside: Bools, flag: int) -> None:
-        """Write what there is of one pose: its rows (m, n), those that have a slot, and whether they are inside (m,)."""
+        """Write what one pose has: its rows (m, n) that have a slot, and whether they are inside (m,)."""
         k = min(len(q), self.q.shape[1])
         self.q[at], self.valid[at], self.inside[at], self.flags[at] = 0.0, False, False, flag
         self.q[at, :k], self.valid[at, :k], self.inside[at, :k] = q[:k], True, inside[:k]
