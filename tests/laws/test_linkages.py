@@ -230,7 +230,6 @@ def test_what_is_not_done_for_linkages_is_refused_by_name():
         lambda: arm.symbolic.ik(),
         lambda: arm.symbolic.singularities(),
         lambda: arm.route(T[None].repeat(2, 0), free=pieper.Freedom(turn="free")),
-        lambda: arm.code("c", "no.c"),
         lambda: arm.calibrate(np.zeros((9, 4)), T[None].repeat(9, 0)),
         lambda: arm.choose_poses(2, np.zeros((9, 4))),
         lambda: arm.ik(T, task="position"),
