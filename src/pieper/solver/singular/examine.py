@@ -26,7 +26,7 @@ from pieper.solver.singular.line_of_slides import SlideLine
 from pieper.solver.singular.meetings import meetings, put_in_line
 from pieper.solver.singular.merged_roots import all_into_limits, distinct_roots, merged_root
 from pieper.solver.singular.self_motion import SelfMotion
-from pieper.solver.singular.trace import MOST_STEPS, crossings, second_smallest, step_along, trace
+from pieper.solver.singular.trace import MOST_STEPS, crossings, dimension_of, second_smallest, step_along, trace
 from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import (
     APART_SINGULAR,
@@ -175,6 +175,8 @@ def _followed(curves: _Curves, starts: Array, own: int) -> tuple[list[Array], li
     doubles: list[Array] = []
     hidden: list[Array] = []
     miss, several, blurred = _probed(curves, starts)
+    for q in starts[several | blurred]:
+        _lines_through(curves, q, alone=True)
     for index, q in enumerate(starts):
         on_curve = curves.lines >= MOST_LINES if several[index] else curves.meet(q, ENDS_ON_CURVE)
         if not on_curve and (several[index] or blurred[index] or miss[index] < 10 * ON_CURVE):
@@ -257,10 +259,15 @@ def _grow(curves: _Curves, q: Array) -> bool:
     return found
 
 
-def _lines_through(curves: _Curves, q: Array) -> bool:
+def _lines_through(curves: _Curves, q: Array, *, alone: bool = False) -> bool:
     """Add the lines of two joints that come to turn about one line at a row, and what crosses them; say whether one is.
 
     Where branches merge as well more than two directions are free to first order, and the line is a mixture of all.
+
+    Args:
+        curves: What is known so far.
+        q: (n,) the row.
+        alone: Whether only lines count that are no part of a surface.
     """
     chain, T, found = curves.chain, curves.T, False
     for at in meetings(chain):
@@ -272,6 +279,8 @@ def _lines_through(curves: _Curves, q: Array) -> bool:
             continue
         pair = at.between - 1, at.between + 1
         line = LineMotion(chain, T, curves.limits, curves.names, curves.shown, through, pair, at.sense)
+        if alone and dimension_of(chain, T, line.samples) > 1:
+            continue
         curves.closed.append(line)
         for crossing in crossings(line):
             _grow(curves, crossing)

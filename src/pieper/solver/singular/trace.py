@@ -76,7 +76,7 @@ def trace(
         again, closed = along_folds(chain, q, T, most_steps)
         samples = again if closed or len(again) > len(samples) else samples
     arm_joints = chain.n if shown is None else shown
-    return TracedMotion(chain, T, samples, closed, _dimension(chain, T, samples), limits, names, arm_joints)
+    return TracedMotion(chain, T, samples, closed, dimension_of(chain, T, samples), limits, names, arm_joints)
 
 
 def _both_ways(chain: Chain, q: Array, T: Array, direction: Array, most_steps: int) -> tuple[Array, bool]:
@@ -88,7 +88,7 @@ def _both_ways(chain: Chain, q: Array, T: Array, direction: Array, most_steps: i
     return np.concatenate([backward[:0:-1], forward]), False
 
 
-def _dimension(chain: Chain, T: Array, samples: Array) -> int:
+def dimension_of(chain: Chain, T: Array, samples: Array) -> int:
     """Return how many degrees of freedom the self-motion has that a line of samples (k, n) lies on.
 
     Where the Jacobian has full rank it is the number of spare joints. Elsewhere the null directions are too many where
