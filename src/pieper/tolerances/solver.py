@@ -9,6 +9,8 @@ SAME_ROW = 10 * SAME_SOLUTION
 #: Postures whose axes are this near (rad; per length) to where their linkage holds them are moved onto it; they count
 #: where they close then. Rows of a double root, which are known to half the digits, lie within it.
 LINKAGE_STARTS = 1e-4
+#: Rows of a double root may lie this far (rad; per length) from where they belong, in joints nearly in line too.
+BLURRED_TO = 0.1
 #: Rows whose filled joints come out below this are moved onto zero, and count where they close: where a filled joint is
 #: nearly free, rounding alone moves it far.
 FILLED_STARTS = 1e-4

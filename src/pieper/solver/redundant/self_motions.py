@@ -20,6 +20,7 @@ from pieper.solver.redundant.surface import as_one
 from pieper.solver.redundant.sweep import Sweep, beside, span, sweep
 from pieper.solver.results import Solutions
 from pieper.solver.singular.beside_curve import how_often_passed, on_followed, one_free
+from pieper.solver.singular.meetings import all_put_in_line, meetings
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.singular.trace import MOST_STEPS, trace
 from pieper.tolerances import (
@@ -27,6 +28,7 @@ from pieper.tolerances import (
     CROSSED_BY,
     HOLDS,
     PRECISE_RANK,
+    SAME_VOUCHED,
     SEED_CROSSED,
     SEED_DOUBTFUL,
     SEED_IS_ON,
@@ -80,8 +82,8 @@ def self_motions_of(
     spare = len(plan.redundancy)
     points = met(plan, asked, values)
     T, points = _as_it_can(full, asked, points) if plan.reduction.fill and len(points) else (asked, points)
-    at = stops(plan, T[None], every_turn=True)
-    ends = at.q[at.inside]
+    met_at = stops(plan, T[None], every_turn=True)
+    ends = met_at.q[met_at.inside]
     seeds = np.concatenate([ends, points])
     if one_free(full):
         seeds = _regular_first(full, _onto(full, T, np.concatenate([seeds, rows]) if len(rows.T) == full.n else seeds))
@@ -94,6 +96,9 @@ def self_motions_of(
     if lines:
         # where solutions merge on a line, others are met beside it, as far as the root of what they miss the pose by
         seeds = newton(full, seeds, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
+        for at in meetings(full):
+            # and much farther in joints that are nearly in line themselves: it is asked whether they belong on it
+            seeds = all_put_in_line(full, at, seeds, T)[0]
         for motion in lines:
             seeds = seeds[~(on_curve(motion, seeds) | coaxial.joined(motion, seeds))]
     # a surface (of several spare joints, or of a singular pose) has no list of curves: one line through each solution
@@ -108,6 +113,10 @@ def self_motions_of(
         seeds = seeds[1:]
         if _astray(motion, lines):
             motion = _begun_anew(motion, lines)
+        if _is_known(motion, lines):
+            traced += len(motion.samples)
+            seeds = seeds[_away(lines, seeds) > SAME_VOUCHED]
+            continue
         if motion.dimension == 1:
             motions = lines + [other for other in motions[len(lines) :] if not _covers(motion, other)]
         motions.append(motion)
@@ -231,6 +240,21 @@ def _begun_anew(motion: SelfMotion, lines: list[SelfMotion]) -> SelfMotion:
         if again.closed and not _astray(again, lines):
             return again
     return motion
+
+
+def _is_known(motion: SelfMotion, lines: list[SelfMotion]) -> bool:
+    """Whether a curve that was followed runs along lines: beside a fold rounding hides which way it goes.
+
+    All that turning joints hold a pose by closes: what does not is made of rounding, and farther off.
+    """
+    if not lines or not one_free(motion.chain) or motion.chain.prismatic.any():
+        return False
+    return bool(_away(lines, motion.samples).max() < (SAME_VOUCHED if motion.closed else SEED_DOUBTFUL))
+
+
+def _away(lines: list[SelfMotion], q: Array) -> Array:
+    """Return how far joint vectors (m, n) are from the nearest of lines (m,)."""
+    return np.array([line.distances(q) for line in lines]).min(0)
 
 
 def _covers(motion: SelfMotion, other: SelfMotion) -> bool:

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import short_way
 from pieper.kinematics.newton import missed, newton, size_of
 from pieper.kinematics.pose import rotation_about
-from pieper.tolerances import GEOMETRY_EXACT, LINKAGE_STARTS, UNNOTICED
+from pieper.tolerances import BLURRED_TO, GEOMETRY_EXACT, LINKAGE_STARTS, UNNOTICED
 
 #: Newton steps by which a row that all but stands there is put there: each halves what is left where branches merge.
 STEPS = 40
@@ -74,9 +74,21 @@ def put_in_line(chain: Chain, at: Meeting, q: Array, T: Array) -> Array | None:
 
     Where branches merge a row is known to half the digits or fewer, and so is whether it stands there.
     """
-    if chain.coupling is not None or abs(float(short_way(q[at.between] - at.value))) > LINKAGE_STARTS:
-        return None
-    held = chain.locked(at.between, at.value)
-    rest = newton(held, np.delete(q, at.between), T, steps=STEPS)
-    there = np.insert(rest, at.between, at.value)
-    return there if missed(chain, there, T) < UNNOTICED * size_of(chain, T) else None
+    moved, held = all_put_in_line(chain, at, q[None], T)
+    return moved[0] if held[0] else None
+
+
+def all_put_in_line(chain: Chain, at: Meeting, q: Array, T: Array) -> tuple[Array, Bools]:
+    """Return rows (m, n) of which those are put to where a meeting is that `put_in_line` says, and which (m,)."""
+    if chain.coupling is not None:
+        return q, np.zeros(len(q), bool)
+    near = np.flatnonzero(np.abs(short_way(q[:, at.between] - at.value)) <= LINKAGE_STARTS)
+    out, held = q.copy(), np.zeros(len(q), bool)
+    if len(near):
+        rest = newton(chain.locked(at.between, at.value), np.delete(q[near], at.between, axis=1), T, steps=STEPS)
+        there = np.insert(rest, at.between, at.value, axis=1)
+        # farther away it is another solution, that lies on the line where this one lies beside it
+        close = chain.joints.apart(there, q[near]) < BLURRED_TO
+        good = close & (missed(chain, there, T) < UNNOTICED * size_of(chain, T))
+        out[near[good]], held[near[good]] = there[good], True
+    return out, held
