@@ -28,7 +28,11 @@ def while_any_moves(loop: LoopWords) -> list[str]:
 def arrays(module: str, loop: Callable[[LoopWords], list[str]] = while_any_moves) -> Language:
     """Return the language of a module of arrays, NumPy or what is called as it is, after its name here."""
     named = {"angle": "_angle({0}, {1})", "select": f"{module}.where({{0}}, {{1}}, {{2}})"}
-    named |= {"atan2": f"{module}.arctan2({{0}}, {{1}})", "true": f"{module}.True_", "false": f"{module}.False_"}
+    named |= {
+        "atan2": f"{module}.arctan2({{0}}, {{1}})",
+        "true": f"{module}.bool_(True)",
+        "false": f"{module}.bool_(False)",
+    }
     return Language(
         words=USUAL | ENTRYWISE | functions(f"{module}.") | named,
         entry=lambda k: f"T[:, {k // 4}, {k % 4}]",

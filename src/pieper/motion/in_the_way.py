@@ -38,11 +38,12 @@ def in_the_way(plan: Plan, q: Array) -> InTheWay:
     chain = plan.chain.uncoupled
     values = q if plan.chain.coupling is None else plan.chain.coupling @ q
     axes, points = axes_at(chain, values)
-    found = [*_in_line(plan, axes, points), *_elbow(chain, values, axes, points, _own(plan))]
-    found += _cylinder(chain, values, axes, points)
+    found = _cylinder(chain, values, axes, points)
+    found += [*_in_line(plan, axes, points), *_elbow(chain, values, axes, points, _own(plan))]
     found = [one for one in found if one.off < NEAR_ARRANGEMENT]
     if found:
-        return min(found, key=lambda one: one.off)
+        # of several that are there to rounding the first, whatever the last digits of the posture
+        return min(found, key=lambda one: max(one.off, GEOMETRY_EXACT))
     return _by_null_space(plan, q)
 
 

@@ -203,7 +203,7 @@ CLOSED_TURN = 1e-9
 #: Singular values below this part of the largest leave their direction open.
 OPEN_WAYS = 1e-7
 #: A curve of folds ends where a step shorter than this (rad; per length) does not go on.
-FOLD_STEP = 1e-3
+FOLDS_STEP = 1e-3
 #: A second singular value is smallest where its neighbours are larger by more than this.
 CROSSING_CHANGE = 1e-9
 #: Curves cross where the second singular value comes below this.

@@ -11,7 +11,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space
-from pieper.tolerances import CURVE_STEP, FOLD_STEP, HOLDS, INDEPENDENT_STEPS, OPEN_WAYS, PRECISE_RANK, TINY
+from pieper.tolerances import CURVE_STEP, FOLDS_STEP, HOLDS, INDEPENDENT_STEPS, OPEN_WAYS, PRECISE_RANK, TINY
 
 #: How far along a null direction it is asked whether the solutions go that way (rad; per length).
 PROBE = 0.05
@@ -60,7 +60,7 @@ def _walk(chain: Chain, q: Array, T: Array, way: Array, most_steps: int) -> tupl
         straight = went > 0.5 * step and float(move @ way) > STRAIGHT * went
         if not straight or missed(chain, ahead, T) > HOLDS:
             step /= 2
-            if step < FOLD_STEP:
+            if step < FOLDS_STEP:
                 break
             continue
         # the way from point to point, turned on as far again as it has turned
