@@ -112,9 +112,9 @@ def measure(arm, seed: int) -> dict:
     T = arm.fk(q)
     sigma = smallest(arm, q)
     how = {"redundancy": plan.defaults} if plan.redundancy else {}
-    start = time.perf_counter()
+    start = time.process_time()
     many = arm.ik_many(T, threads=1, **how)
-    spent = time.perf_counter() - start
+    spent = time.process_time() - start
     prismatic, length = arm.chain.prismatic, arm.chain.length
     gap = np.where(prismatic, (many.q - q[:, None]) / length, around(many.q - q[:, None]))
     gap = np.where(many.valid, np.abs(gap).max(-1), np.inf).min(1)

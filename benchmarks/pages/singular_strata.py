@@ -20,8 +20,9 @@ chunk of 250:
 - *blurred*: two true solutions between which the pose is missed by rounding only, given once;
 - *lost*: none of these.
 
-*Over 1e-12*: unmarked poses with a residual above 1e-12 per reach or rad. Times are of a machine shared by many, for
-these poses, more than half of which are looked at with care. Of seven-joint arms the joint that is held is so at its
+*Over 1e-12*: unmarked poses with a residual above 1e-12 per reach or rad. Times are processor time on a machine shared
+by many (three-r's is of the clock, beside eight other processes), for these poses, more than half of which are looked
+at with care. Of seven-joint arms the joint that is held is so at its
 default value; an exactly singular posture at that value lies on one of the self-motions.
 
 """
