@@ -282,6 +282,8 @@ def _lines_through(curves: _Curves, q: Array, *, alone: bool = False) -> bool:
         if alone and dimension_of(chain, T, line.samples) > 1:
             continue
         curves.closed.append(line)
+        if second_smallest(chain, line.samples).max() < OPEN_DIRECTION:
+            continue  # more is open all along it, and no place shows where another crosses
         for crossing in crossings(line):
             _grow(curves, crossing)
     return found
