@@ -71,7 +71,7 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
         pose = checked_pose(T)
         q, slots, inside, flag = plan.solver.one(pose)
-    if not len(q) or (plan.slides and not np.abs(pose[:3, 3]).max() <= FARTHEST):
+    if not len(q) or (plan.slides and max(map(abs, np.asarray(pose)[:3, 3].tolist())) > FARTHEST):
         pose = checked_pose(pose)  # the kernel refuses no place, however far
     if (flag & (_DOUBTFUL | _EDGE) or not len(q)) and (far := one_from_afar(plan, np.asarray(pose, float), ik)):
         return far[0]
