@@ -38,6 +38,15 @@ def in_lines(entries: dict[str, Any]) -> str:
     return "{\n" + ",\n".join(f"{json.dumps(name)}: {json.dumps(own)}" for name, own in entries.items()) + "\n}"
 
 
+def in_chunks(kept: dict[str, Any]) -> str:
+    """Return what was measured of arms, chunk by chunk, as JSON with a chunk a line."""
+    arms = []
+    for name, own in kept.items():
+        facts = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in own.items() if key != "chunks"]
+        arms.append(f'{json.dumps(name)}: {{{", ".join(facts)}, "chunks": {in_lines(own["chunks"])}}}')
+    return "{\n" + ",\n".join(arms) + "\n}\n"
+
+
 @contextmanager
 def held() -> Iterator[None]:
     """Keep others from writing results: what one reads, adds to and writes is not taken back by one who read before."""

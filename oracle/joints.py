@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 
 import numpy as np
@@ -22,6 +23,18 @@ def random_joints(arm: Arm | Chain, rng: np.random.Generator, count: int, slide:
 def around(angle: np.ndarray) -> np.ndarray:
     """Return angles a whole number of turns away, in [-pi, pi), rad."""
     return (angle + np.pi) % (2 * np.pi) - np.pi
+
+
+def flips(q: np.ndarray) -> np.ndarray:
+    """Return the eight postures (8, 7) of an arm with round shoulder and wrist that have q's (7,) pose and elbow."""
+    out = []
+    for over in itertools.product((False, True), repeat=3):
+        p = np.array(q, float)
+        for joint, on in zip((1, 3, 5), over, strict=True):
+            if on:
+                p[joint - 1 : joint + 2] = p[joint - 1] + np.pi, -p[joint], p[joint + 1] + np.pi
+        out.append(around(p))
+    return np.array(out)
 
 
 def turns_apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -7,7 +7,7 @@ the limits c - w to c + w (lengths per length of the arm), w one of five widths,
 and asks for them in one batch: each has solutions inside. Of the first few of a chunk the nearest posture to the
 joint vector is asked for, which is that joint vector, and of seven-joint arms all stretches of the self-motions inside
 the limits are compared with a dense sampling. Chunks that were measured are kept and not measured again; the arms take
-turns, so that what was not waited for lacks at all alike. `make pages` writes the page.
+turns, so that all have as many when it is stopped. `make pages` writes the page.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 import pieper
-from benchmarks.kept import RESULTS, in_lines, write_text
+from benchmarks.kept import RESULTS, in_chunks, write_text
 from benchmarks.pages.narrow_limits import table
 from oracle import slow_forward
 from oracle.arms.spare import ARMS
@@ -97,16 +97,6 @@ def measure(arm: Arm, place: int, width: float, seed: int, asked: int) -> dict[s
                 torn += 1
                 cases.append(["stretch", 0, q[i].tolist()])
     return {**out, "asked": asked, "missed": missed, "looked": looked, "torn": torn, "cases": cases}
-
-
-def in_chunks(kept: dict[str, Any]) -> str:
-    """Return what is kept as JSON with a chunk a line."""
-    arms = [
-        f'{json.dumps(name)}: {{"family": {json.dumps(own["family"])}, "joints": {own["joints"]}, '
-        f'"chunks": {in_lines(own["chunks"])}}}'
-        for name, own in kept.items()
-    ]
-    return "{\n" + ",\n".join(arms) + "\n}\n"
 
 
 def main() -> None:

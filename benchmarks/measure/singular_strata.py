@@ -17,11 +17,10 @@ import argparse
 import json
 import time
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from benchmarks.kept import RESULTS, in_lines, write_text
+from benchmarks.kept import RESULTS, in_chunks, write_text
 from benchmarks.measure.fifty_digits import verdict
 from benchmarks.pages.singular_strata import VERDICTS, table
 from oracle.arms.strata import ARMS
@@ -167,15 +166,6 @@ def measure(arm, seed: int) -> dict:
         if said in ("lost", "unsettled"):
             out["cases"].append([said, float(distance[i]), float(sigma[i]), float(gap[i]), q[i].tolist()])
     return out
-
-
-def in_chunks(kept: dict[str, Any]) -> str:
-    """Return what is kept as JSON with a chunk a line."""
-    arms = [
-        f'{json.dumps(name)}: {{"family": {json.dumps(own["family"])}, "chunks": {in_lines(own["chunks"])}}}'
-        for name, own in kept.items()
-    ]
-    return "{\n" + ",\n".join(arms) + "\n}\n"
 
 
 def main() -> None:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import pieper
+from oracle.joints import flips
 
 LWR, RM75, IIWA, SIA = "kuka-lwr-4-plus", "realman-rm75", "kuka-lbr-iiwa-14-r820", "motoman-sia10d"
 STRETCHED = [(LWR, 0.3, 1e-5), (RM75, 1e-5, 0.3), (IIWA, 1e-5, 1e-5), (SIA, 1e-4, 1e-4), (IIWA, 0.3, 1e-5)]
@@ -19,18 +20,6 @@ ROUND = 2 * np.pi * np.sqrt(2)
 def lengths(motions):
     points = [np.unwrap([m.at(u) for u in np.linspace(0, 1, 401)], axis=0) for m in motions]
     return np.sort([np.linalg.norm(np.diff(x, axis=0), axis=1).sum() for x in points])
-
-
-def flips(q):
-    """Return a posture of a shoulder, an elbow and a wrist with each turned over or not (8, 7): the same pose."""
-    out = []
-    for over in np.ndindex(2, 2, 2):
-        p = q.copy()
-        for joint, on in zip((1, 3, 5), over, strict=True):
-            if on:
-                p[joint - 1 : joint + 2] = p[joint - 1] + np.pi, -p[joint], p[joint + 1] + np.pi
-        out.append((p + np.pi) % (2 * np.pi) - np.pi)
-    return np.array(out)
 
 
 @pytest.mark.parametrize(("name", "shoulder", "wrist"), [*STRETCHED, (IIWA, 0.3, 0.4), (IIWA, 1e-3, 0.4)])

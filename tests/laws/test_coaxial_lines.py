@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import itertools
-
 import numpy as np
 import pytest
 
 import pieper
 from oracle import slow_forward
+from oracle.joints import flips
 from pieper import Arm
 
 #: Joints that stand at values, and then: the joints that turn against each other alone, in how many dimensions, in how
@@ -27,19 +26,6 @@ PLACES = [
 def free(name) -> Arm:
     arm = pieper.load(name)
     return arm.with_limits(dict.fromkeys(arm.joint_names, (-np.inf, np.inf)))
-
-
-def flips(q):
-    """Return the postures that an arm with two spherical groups and an elbow has beside one by symmetry."""
-    out = []
-    for shoulder, elbow, wrist in itertools.product((False, True), repeat=3):
-        p = q.copy()
-        for flip, k in ((shoulder, 1), (elbow, 3), (wrist, 5)):
-            if flip:
-                p[[k - 1, k + 1]] += np.pi
-                p[k] = -p[k]
-        out.append(p)
-    return np.array(out)
 
 
 @pytest.mark.parametrize(("at", "turning", "dimension", "pieces", "curves"), PLACES)

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import itertools
-
 import numpy as np
 import pytest
 
 import pieper
-from oracle.joints import around
+from oracle.joints import around, flips
 from pieper import DH, Arm, Status
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.kinematics.pose import rotation_about
@@ -246,18 +244,6 @@ def test_a_chosen_value_without_an_answer_is_told_from_a_pose_out_of_reach():
     assert arm.ik_many(far[None], redundancy=0.4).status[0] == Status.OUT_OF_REACH
 
 
-def _flipped(q):
-    """Return the eight postures (8, 7) of an arm with round shoulder and wrist that have q's (7,) pose and elbow."""
-    out = []
-    for ways in itertools.product((False, True), repeat=3):
-        p = np.array(q)
-        for k, other in zip((1, 3, 5), ways, strict=True):
-            if other:
-                p[k - 1 : k + 2] = p[k - 1] + np.pi, -p[k], p[k + 1] + np.pi
-        out.append(around(p))
-    return np.array(out)
-
-
 @pytest.mark.parametrize("elbow", [3e-3, 1e-3, 1e-4])
 @pytest.mark.parametrize("name", ["kuka-lbr-iiwa-14-r820", "motoman-sia10d"])
 def test_an_elbow_nearly_straight_bends_either_way_on_curves_of_their_own(name, elbow):
@@ -265,7 +251,7 @@ def test_an_elbow_nearly_straight_bends_either_way_on_curves_of_their_own(name, 
     arm = pieper.load(name)
     arm = arm.with_limits({joint: (-3.1, 3.1) for joint in arm.joint_names})
     q = np.array([0.3, 0.4, 0.5, elbow, 0.6, 0.7, 0.8])
-    sols, postures = arm.ik(arm.fk(q)), _flipped(q)
+    sols, postures = arm.ik(arm.fk(q)), flips(q)
     assert np.abs(arm.fk(postures) - arm.fk(q)).max() < 1e-14
     on = np.array([[motion.contains(p) for motion in sols.self_motions] for p in postures])
     assert on.shape == (8, 8) and (on.sum(0) == 1).all() and (on.sum(1) == 1).all()
@@ -275,7 +261,7 @@ def test_an_elbow_nearly_straight_bends_either_way_on_curves_of_their_own(name, 
 def test_a_posture_that_holds_the_pose_is_nearest_to_itself(elbow):
     arm = pieper.load("kuka-lbr-iiwa-14-r820")
     arm = arm.with_limits({joint: (-3.1, 3.1) for joint in arm.joint_names})
-    for p in _flipped([0.3, 0.4, 0.5, elbow, 0.6, 0.7, 0.8]):
+    for p in flips([0.3, 0.4, 0.5, elbow, 0.6, 0.7, 0.8]):
         assert np.abs(arm.ik(arm.fk(p)).nearest(p) - p).max() < 1e-12
 
 

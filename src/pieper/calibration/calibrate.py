@@ -13,7 +13,7 @@ from pieper import arguments
 from pieper.calibration.departure import refuse_another_arm
 from pieper.calibration.fit import Fit, HeldOut
 from pieper.calibration.least_squares import Fitted, Weighed, fit, linearised, outlying, sizes_of
-from pieper.calibration.measurements import BLIND, SETUP, WIDTH, Measurements, measured_as, noise_of
+from pieper.calibration.measurements import BLIND, SETUP, WIDTH, Measurements, measured_as, noise_of, spread
 from pieper.calibration.misreadings import refuse_misreadings
 from pieper.calibration.model import AxesModel
 from pieper.calibration.parameters import Parameters, parameters_of
@@ -137,7 +137,7 @@ def _refuse_strangers(found: Fitted, q: Array) -> None:
     T = found.model.fk(q)
     way, _ = found.data.misses(T)
     missed = float(np.median(np.linalg.norm(way[~found.outliers], axis=1))) if (~found.outliers).any() else 0.0
-    moved, measured = _spread(T[:, :3, 3]), _spread(found.data.values.reshape(len(q), -1))
+    moved, measured = spread(T[:, :3, 3]), spread(found.data.values.reshape(len(q), -1))
     vary = measured if found.data.kind == "distance" else moved
     explains_nothing = missed > EXPLAINS_NOTHING * vary
     if found.data.kind == "plane" and missed > EXPLAINS_NOTHING * measured > 0 and missed > SUSPICIOUS * moved:
@@ -151,11 +151,6 @@ def _refuse_strangers(found: Fitted, q: Array) -> None:
             missed=missed,
             vary=vary,
         )
-
-
-def _spread(x: Array) -> float:
-    """Return how far points (N, k) usually are from their middle."""
-    return float(np.median(np.linalg.norm(x - np.median(x, axis=0), axis=1)))
 
 
 def _fitted(

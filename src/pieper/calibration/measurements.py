@@ -163,6 +163,11 @@ def _numbers(given: PoseLike | None) -> Array:
     return values
 
 
+def spread(x: Array) -> float:
+    """Return how far points (N, k) usually are from their middle."""
+    return float(np.median(np.linalg.norm(x - np.median(x, axis=0), axis=1)))
+
+
 def noise_of(sigma: ArrayLike | Sequence[float] | None) -> tuple[float, float] | None:
     """Return the noise (m, rad) of one number measured, None where it is not known.
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from pieper.calibration.frames import frame_and_tool, frame_between, tool_between
-from pieper.calibration.measurements import Measurements
+from pieper.calibration.measurements import Measurements, spread
 from pieper.calibration.model import AxesModel
 from pieper.calibration.reading import Reading
 from pieper.calibration.strange_rows import in_part, misses_of_rows
@@ -99,8 +99,7 @@ def _refuse_all_shrunk(model: AxesModel, q: Array, data: Measurements, length: f
 
 def _beside_spread(model: AxesModel, q: Array, data: Measurements) -> float:
     """Return the median miss of the nominal arm as a part of how far its tool usually is from its places' middle."""
-    p = model.fk(q)[:, :3, 3]
-    return missed(model, q, data)[0] / max(float(np.median(np.linalg.norm(p - np.median(p, axis=0), axis=1))), TINY)
+    return missed(model, q, data)[0] / max(spread(model.fk(q)[:, :3, 3]), TINY)
 
 
 def _or_another_joint(

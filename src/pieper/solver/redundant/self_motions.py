@@ -82,8 +82,8 @@ def self_motions_of(
     spare = len(plan.redundancy)
     points = met(plan, asked, values)
     T, points = _as_it_can(full, asked, points) if plan.reduction.fill and len(points) else (asked, points)
-    met_at = stops(plan, T[None], every_turn=True)
-    ends = met_at.q[met_at.inside]
+    stopped = stops(plan, T[None], every_turn=True)
+    ends = stopped.q[stopped.inside]
     seeds = np.concatenate([ends, points])
     if one_free(full):
         seeds = _regular_first(full, _onto(full, T, np.concatenate([seeds, rows]) if len(rows.T) == full.n else seeds))
