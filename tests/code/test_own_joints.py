@@ -55,6 +55,8 @@ ARMS = {
     "two to spare": lambda: on_a_turntable("kuka-lbr-iiwa-7-r800"),
     "a linkage": lambda: pieper.load("dobot-magician"),
     "a linkage that two joints move": lambda: pieper.load("kuka-kr120-r3200-pa"),
+    # of its list of operations one is a constant truth
+    "a truth alone": lambda: pieper.load("interbotix-pincherx-100"),
 }
 
 
@@ -247,7 +249,8 @@ def test_matlab_takes_and_gives_the_joints_own_numbers(kind, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "kind", ["several ratios, wide limits", "SCARA", "spare at the tool", "spare in the numbers", "a linkage"]
+    "kind",
+    ["several ratios, wide limits", "SCARA", "spare at the tool", "spare in the numbers", "a linkage", "a truth alone"],
 )
 def test_jax_takes_and_gives_the_joints_own_numbers(kind, tmp_path):
     if importlib.util.find_spec("jax") is None:
