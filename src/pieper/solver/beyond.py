@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.arrays import Array, ArrayLike, Bools, Indices
 from pieper.kinematics.pose import checked_pose
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag, Rows
@@ -27,6 +27,12 @@ def without_doubt(plan: Plan, T: Array, rows: Rows) -> None:
         return
     far = np.flatnonzero((doubts > 0) & ~rows.valid.any(1))
     rows.flags[far[beyond(plan, T[far])]] &= np.uint8(255 ^ DOUBTS)
+
+
+def too_far(pose: ArrayLike) -> bool:
+    """Return whether the place of a pose (4, 4) is farther away than any is taken to be."""
+    place: list[float] = np.asarray(pose, float)[:3, 3].tolist()
+    return max(map(abs, place)) > FARTHEST
 
 
 def refuse_too_far(poses: Array, without_rows: Indices) -> None:

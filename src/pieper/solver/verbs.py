@@ -30,7 +30,7 @@ from pieper.solver.batches import (
     tell,
     without_refused,
 )
-from pieper.solver.beyond import DOUBTS, beyond, refuse_too_far, without_doubt
+from pieper.solver.beyond import DOUBTS, beyond, refuse_too_far, too_far, without_doubt
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.at_values import rows_at_choice
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice, nothing_chosen
@@ -40,7 +40,6 @@ from pieper.solver.words.closest import closest_to
 from pieper.solver.words.labels import labels_beside, posture_words
 from pieper.solver.words.table import table
 from pieper.solver.words.why import why
-from pieper.tolerances import FARTHEST
 
 # what looks with care, or along spare joints, is imported when it is needed: most calls never do
 WORDS = Words(why, table, posture_words, labels_beside, closest_to)
@@ -71,7 +70,7 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         # lists, integers, poses that are none: the checked route says what is wrong, or makes it right
         pose = checked_pose(T)
         q, slots, inside, flag = plan.solver.one(pose)
-    if not len(q) or (plan.slides and max(map(abs, np.asarray(pose)[:3, 3].tolist())) > FARTHEST):
+    if not len(q) or (plan.slides and too_far(pose)):
         pose = checked_pose(pose)  # the kernel refuses no place, however far
     if (flag & (_DOUBTFUL | _EDGE) or not len(q)) and (far := one_from_afar(plan, np.asarray(pose, float), ik)):
         return far[0]
