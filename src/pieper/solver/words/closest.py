@@ -125,12 +125,17 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
 def _almost(plan: Plan, T: Array) -> Array:
     """Return postures (k, n) inside the limits from which a short arm misses the pose by little, as by typed decimals.
 
-    It is solved as an arm of six joints, of which those that it has not must stay at zero: here nearly.
+    It is solved as an arm of six joints, of which those that it has not must stay at zero: here nearly. Of coupled
+    joints the axes are solved so.
     """
-    if not plan.reduction.fill or plan.redundancy:
+    solved = plan if plan.uncoupled is None else plan.uncoupled
+    if not solved.reduction.fill or solved.redundancy:
         return np.zeros((0, plan.n))
-    found = kernel_rows(plan, T[None], np.zeros((1, 0)), 1)
-    return np.clip(found.q[found.valid][:, : plan.n], plan.limits[:, 0], plan.limits[:, 1])
+    found = kernel_rows(solved, T[None], np.zeros((1, 0)), 1)
+    q = found.q[found.valid][:, : solved.n]
+    if plan.uncoupled is not None:
+        q = plan.chain.joints.wrapped(plan.chain.numbers(q))
+    return np.clip(plan.chain.joints.inside_limits(q, plan.limits)[0], plan.limits[:, 0], plan.limits[:, 1])
 
 
 def typed(T: Array) -> tuple[int, float]:
