@@ -101,7 +101,7 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     given = np.zeros((len(seeds), chain.n))
     given[:, : plan.n] = seeds
     if weights is not None:
-        by = _weighed(plan, weights)
+        by = _weighed(weights, chain.length, turning)
         start = np.vstack([hill.starts(by), given])
         q = hill.in_radians(start, by)
         q = q[np.argmin(_cost(*hill.distances(q), by))][None]
@@ -160,8 +160,8 @@ def _nearest_of(value: Array, angle: Array, open_by: float = 0.0) -> int:
     return int(np.argmin(np.where(worth, angle, np.inf))) if worth.any() else nearest
 
 
-def _weighed(plan: Plan, weights: ArrayLike) -> float:
-    """Return what a turn counts beside a length of the arm; infinite for turns alone."""
+def _weighed(weights: ArrayLike, length: float, turning: bool) -> float:
+    """Return what a turn counts beside the length of the chain that is moved; infinite for turns alone."""
     try:
         given = np.asarray(weights, float)
     except (TypeError, ValueError):
@@ -172,7 +172,7 @@ def _weighed(plan: Plan, weights: ArrayLike) -> float:
             f"{arguments.kind_of(weights)}.",
             given=weights,
         )
-    metre, radian = float(given[0]) * plan.chain.length, float(given[1]) * (plan.task != "position")
+    metre, radian = float(given[0]) * length, float(given[1]) * turning
     return (radian / metre) ** 2 if metre else np.inf
 
 
