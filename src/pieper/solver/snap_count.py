@@ -6,11 +6,12 @@ import numpy as np
 
 from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.newton import singular_values
 from pieper.kinematics.pose import stepped
 from pieper.solver.kernel_rows import Solved, kernel_rows, without_repeats
 from pieper.solver.plan.plan import Plan
 from pieper.solver.rows import Flag
-from pieper.tolerances import FILLED_STARTS, NO_MORE_THAN_TYPED
+from pieper.tolerances import FILLED_STARTS, NO_MORE_THAN_TYPED, PAIRED
 
 #: How far from the pose the nominal arm's count is looked at, in multiples of how far the two arms differ: a double
 #: cross of twelve poses so far away encloses the ball that the difference may lead to.
@@ -31,6 +32,19 @@ def in_doubt(plan: Plan, T: Array, values: Array, count: Indices) -> Bools:
         counts = kernel_rows(plan, beside, values_beside, 1).valid.sum(1).reshape(len(twists), -1)
         doubt[part] = (counts != count[part]).any(0)
     return doubt
+
+
+def _nearly_singular(plan: Plan, q: Array, valid: Bools) -> Bools:
+    """Return (N,) bool: poses with a row among q (N, M, n) so nearly singular that the two arms' rows need not pair.
+
+    Newton's method leads one arm's row to one row of the other where its first step, the drift over sigma, is short
+    beside sigma: else one of them may have a curve, or none, where the other has a few.
+    """
+    out = np.zeros(len(q), bool)
+    pose, slot = np.nonzero(valid)
+    s = singular_values(plan.exact.full, q[pose, slot])
+    out[pose[s[:, -1] ** 2 < PAIRED * plan.drift * s[:, 0] ** 2]] = True
+    return out
 
 
 def exact_rows(plan: Plan, T: Array, values: Array) -> tuple[Array, bool]:
@@ -77,6 +91,7 @@ def counted(plan: Plan, T: Array, values: Array, polished: Solved, nominal: Indi
         doubt = (valid.sum(1) != nominal) | in_doubt(plan, T, values, nominal)
         if plan.drift > NO_MORE_THAN_TYPED:
             doubt |= nominal == 0
+    doubt |= _nearly_singular(plan, full, valid)
     for i in np.flatnonzero(doubt):
         rows, certain = exact_rows(plan, T[i], values[i])
         both = np.concatenate([full[i][valid[i]], rows])

@@ -14,7 +14,6 @@ from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, is_exact
-from pieper.solver.afar import goes_far, one_from_afar, rows_from_afar
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.batches import (
     BLOCK,
@@ -31,6 +30,7 @@ from pieper.solver.batches import (
     without_refused,
 )
 from pieper.solver.beyond import DOUBTS, beyond, refuse_too_far, too_far, without_denied, without_doubt
+from pieper.solver.other_plans import goes_far, one_by_other_plan, rows_by_other_plans
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.at_values import rows_at_choice
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice, nothing_chosen
@@ -72,7 +72,9 @@ def ik(plan: Plan, T: PoseLike, redundancy: Redundancy = None) -> Solutions:
         q, slots, inside, flag = plan.solver.one(pose)
     if not len(q) or (plan.slides and too_far(pose)):
         pose = checked_pose(pose)  # the kernel refuses no place, however far
-    if (flag & (_DOUBTFUL | _EDGE) or not len(q)) and (far := one_from_afar(plan, np.asarray(pose, float), ik)):
+    if (flag & (_DOUBTFUL | _EDGE) or not len(q)) and (
+        far := one_by_other_plan(plan, np.asarray(pose, float), flag, ik)
+    ):
         return far[0]
     if flag & (_DOUBTFUL | _EDGE):
         found = _read(plan, pose, q, flag & ~_EDGE)  # of no rows inside, it is false as a sequence
@@ -310,7 +312,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
     from pieper.solver.singular.overlooked import overlooked
     from pieper.solver.singular.read_off import crowded
 
-    near = rows_from_afar(plan, poses, rows, status, ik_many)
+    near = rows_by_other_plans(plan, poses, rows, status, ik_many)
     marked = near & ((rows.flags & _DEGENERATE) > 0)
     # a kernel that gives no rows says whether poses beside have none; of a chain within another that says nothing
     edge = near & ((rows.flags & _EDGE) > 0 if plan.direct else ~some)
@@ -358,7 +360,7 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
     q, slots, inside, flag = rows.of(0)
     if not is_exact(given) and not np.array_equal(T, np.asarray(as_pose(given), float)):
         flag |= _ROUNDED
-    if (flag & _DOUBTFUL or not len(q)) and (far := one_from_afar(plan, T, ik)):
+    if (flag & _DOUBTFUL or not len(q)) and (far := one_by_other_plan(plan, T, flag, ik)):
         return far[0]
     if not plan.redundancy:
         return _careful(plan, T, q, slots, inside, int(flag))

@@ -62,6 +62,8 @@ PULLED_RANK = 1e-7
 NEARLY_SPECIAL = (1e-10, 1e-8, 1e-6, 2e-5)
 #: |det J| must stay above this part of its largest value: a path that nearly touches a singularity proves nothing.
 CLEAR_OF_SINGULAR = 2e-3
+#: Rows of two arms are one to one where the square of sigma (relative) is above so many times what the arms differ by.
+PAIRED = 10.0
 #: Arms that differ by no more (per length; rad) have none where the nominal one has none, neither here nor around.
 NO_MORE_THAN_TYPED = 1e-4
 #: What a turn counts beside the position, stage by stage, steps, and how many postures are kept.

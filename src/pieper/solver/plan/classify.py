@@ -104,6 +104,14 @@ def _nearly(plan: Plan) -> Plan | None:
     return next((other for other in others if not named(other.family).eliminating), None)
 
 
+def _plain(plan: Plan) -> Plan | None:
+    """Return the plan of the arm as described, nothing made special; None where no solver takes it."""
+    try:
+        return _as_told(plan.chain, plan.description, plan.task, None)
+    except PlanError:
+        return None
+
+
 def _from_afar(plan: Plan, distance: float) -> Plan:
     """Return a plan of an arm for poses this far away, m.
 
@@ -121,7 +129,7 @@ def _special(task: str | None, chain: Chain, description: Description) -> Iterat
     for near in NEARLY_SPECIAL:
         if snapped(chain, near)[1]:
             try:
-                special = _as_told(chain, description, task, near)
+                special = replace(_as_told(chain, description, task, near), plain=_plain)
             except PlanError:
                 continue  # as a special arm it has joints that do the same, or no solver
             yield special

@@ -89,6 +89,7 @@ class Plan:
         base: (4, 4) the frame the arm's table stands in; the arm angle counts from it.
         words: Tells the plan as a teacher would; handed in, since words read plans.
         counting: Counts by the arm's own axes; handed in, since it reads plans.
+        plain: The plan of the arm as described where nobody asked for special geometry; handed in as well.
         special: Plans through the special arm that this one nearly is, None where it is none; handed in as well.
         from_afar: How the arm is solved for poses so many metres away, its length counted as no less than that; raises
             PlanError where it is not. Handed in as well.
@@ -114,6 +115,7 @@ class Plan:
     base: Array = field(default_factory=lambda: np.eye(4))
     words: Callable[[Plan], str] = field(default=repr, repr=False)
     counting: Callable[[Plan], Count] = field(default=uncounted, repr=False)
+    plain: Callable[[Plan], Plan | None] = field(default=as_it_is, repr=False)
     special: Callable[[Plan], Plan | None] = field(default=as_it_is, repr=False)
     from_afar: Callable[[Plan, float], Plan] = field(default=as_near, repr=False)
     uncoupled: Plan | None = field(default=None, repr=False)
@@ -219,6 +221,11 @@ class Plan:
     def nearly(self) -> Plan | None:
         """How the special arm is solved that this one nearly is, rows refined on this one; None where it is none."""
         return self.special(self)
+
+    @cached_property
+    def described(self) -> Plan | None:
+        """How the arm is solved as it is described where this plan made its geometry special; None where it did not."""
+        return self.plain(self) if self.snapped and not self.reduction.locked else None
 
     @cached_property
     def direct(self) -> bool:

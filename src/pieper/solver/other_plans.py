@@ -1,56 +1,57 @@
-"""Poses that slides carry so far away that the arm's own links are nothing beside it.
+"""Poses that another plan of the same arm solves: far away ones, and those that leave a snapped arm in doubt.
 
-Solutions lie as near each other there as the links are short beside the pose, and every elimination by the links'
-length drowns in rounding; a gantry whose lengths are the errors of a calibration has no other poses. So such a pose
-is solved by a plan that counts its distance as the arm's length: what is nearly special at that distance is solved
-as such.
+Slides carry poses so far away that the arm's own links are nothing beside it. Solutions lie as near each other there as
+the links are short beside the pose, and every elimination by the links' length drowns in rounding; a gantry whose
+lengths are the errors of a calibration has no other poses. So such a pose is solved by a plan that counts its distance
+as the arm's length: what is nearly special at that distance is solved as such.
+
+An arm that is nearly special is solved as the special one, its rows refined and counted. Where that one is singular, or
+nearly, it may have a whole curve of solutions for a few of the arm as described: then this is solved as it is.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from pieper.errors import PlanError
-from pieper.kinematics.arrays import Array, Bits, Bools
+from pieper.kinematics.arrays import Array, Bits, Bools, Indices
 from pieper.kinematics.pose import inverse
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.beyond import DOUBTS
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.prepared import made_once
 from pieper.solver.results import Solutions
-from pieper.solver.rows import Rows
+from pieper.solver.rows import Flag, Rows
 from pieper.tolerances import FAR_OUT
 
+_UNCERTAIN = int(Flag.UNCERTAIN)
 
-def one_from_afar(plan: Plan, T: Array, solve: Callable[[Plan, Array], Solutions]) -> tuple[Solutions, ...]:
-    """Return what there is at a marked pose (4, 4), or one without rows, that is far away; nothing where it is near."""
-    if not goes_far(plan) or _clearly_near(plan, T):
-        return ()
-    other = _seen_from(plan, float(_decades(plan, T[None])[0]))
+
+def one_by_other_plan(
+    plan: Plan, T: Array, flag: int, solve: Callable[[Plan, Array], Solutions]
+) -> tuple[Solutions, ...]:
+    """Return what there is at a marked pose (4, 4), or one without rows, by another plan; nothing where it has none."""
+    other = None
+    if flag & _UNCERTAIN:
+        other = plan.described
+    if goes_far(plan) and not _clearly_near(plan, T):
+        other = _seen_from(plan, float(_decades(plan, T[None])[0]))
     return () if other is None else (solve(other, T).told_by(plan),)
 
 
-def rows_from_afar(
+def rows_by_other_plans(
     plan: Plan, poses: Array, rows: Rows, status: Bits, solve: Callable[[Plan, Array], SolutionBatch]
 ) -> Bools:
-    """Write what there is at poses (N, 4, 4) that are far away into rows and status, where rows are marked or none.
+    """Write what other plans say of poses (N, 4, 4), where rows are marked or none, into rows and status.
 
     Returns:
-        (N,) which poses are near, and as they were.
+        (N,) which poses have no other plan, and are as they were.
     """
-    near = np.ones(len(poses), bool)
-    if not goes_far(plan):
-        return near
-    asked = np.flatnonzero(((rows.flags & DOUBTS) > 0) | ~rows.valid.any(1))
-    decades = _decades(plan, poses[asked])
-    for decade in np.unique(decades[decades > 0]).tolist():
-        other = _seen_from(plan, decade)
-        if other is None:
-            continue
-        index = asked[decades == decade]
+    own = np.ones(len(poses), bool)
+    for other, index in _others(plan, poses, rows):
         many = solve(other, np.ascontiguousarray(poses[index]))
         found, status[index] = many.found, many.status
         slots = min(rows.q.shape[1], found.q.shape[1])
@@ -58,8 +59,23 @@ def rows_from_afar(
             mine[index] = 0
             mine[index, :slots] = theirs[:, :slots]
         rows.flags[index] = found.flags
-        near[index] = False
-    return near
+        own[index] = False
+    return own
+
+
+def _others(plan: Plan, poses: Array, rows: Rows) -> Iterator[tuple[Plan, Indices]]:
+    """Yield the other plans that poses are solved by, and which these are."""
+    uncertain = np.flatnonzero((rows.flags & _UNCERTAIN) > 0) if plan.snapped else np.zeros(0, np.int64)
+    if len(uncertain) and plan.described is not None:
+        yield plan.described, uncertain
+    if not goes_far(plan):
+        return
+    asked = np.flatnonzero(((rows.flags & DOUBTS) > 0) | ~rows.valid.any(1))
+    decades = _decades(plan, poses[asked])
+    for decade in np.unique(decades[decades > 0]).tolist():
+        other = _seen_from(plan, decade)
+        if other is not None:
+            yield other, asked[decades == decade]
 
 
 def goes_far(plan: Plan) -> bool:
