@@ -30,6 +30,7 @@ template <class F> PIEPER_INLINE Surd<F> operator*(Surd<F> a, Surd<F> b) {
   return {a.x * b.x + a.square * (a.y * b.y), a.x * b.y + a.y * b.x, a.square};
 }
 template <class F> PIEPER_INLINE Surd<F> operator+(Surd<F> a, double b) { return {a.x + b, a.y, a.square}; }
+template <class F> PIEPER_INLINE Surd<F> operator+(Surd<F> a, F b) { return {a.x + b, a.y, a.square}; }
 template <class F> PIEPER_INLINE Surd<F> operator*(double k, Surd<F> a) { return {k * a.x, k * a.y, a.square}; }
 template <class F> PIEPER_INLINE Surd<F> operator*(F k, Surd<F> a) { return {k * a.x, k * a.y, a.square}; }
 

@@ -100,19 +100,22 @@ template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const RigidT<F>& 
   return out;
 }
 
-// The condition N, and the quantities on the way to it. X: a number, a Dual or a Surd.
-template <class X> struct Condition {
-  X v0, v1, w0, w1, K, g, N;
+// The condition N, and the quantities on the way to it. X: a number or a Surd; Y: a number, of what is the same on both sides.
+template <class X, class Y = X> struct Condition {
+  X v0;
+  Y v1;
+  X w0, w1, K, g, N;
 };
 
 // u: P's distance along the plane; across, level: u5.r and u5.z; out: u5.n; h: P's height.
-template <class X> PIEPER_INLINE Condition<X> condition(const Arm& arm, X u, X across, X out, X level, X h) {
-  Condition<X> c;
+template <class X, class Y>
+PIEPER_INLINE Condition<X, Y> condition(const Arm& arm, X u, X across, X out, Y level, Y h) {
+  Condition<X, Y> c;
   const double l2 = arm.fore * arm.fore;
   c.v0 = u + (-arm.shoulder);
   c.v1 = h;
   c.w0 = arm.lean_c * across + arm.lean_s * level;
-  c.w1 = arm.lean_c * level - arm.lean_s * across;
+  c.w1 = (-arm.lean_s) * across + arm.lean_c * level;
   const X V = c.v0 * c.v0 + c.v1 * c.v1, s = c.v0 * c.w0 + c.v1 * c.w1, area = c.v0 * c.w1 - c.v1 * c.w0;
   c.K = 0.5 * (V + (l2 - arm.upper * arm.upper));
   c.g = (-arm.fore * arm.tilt_s / arm.tilt_c) * out + arm.bend * arm.fore / arm.tilt_c;
@@ -142,8 +145,8 @@ template <class F> F polynomial_of_sides(const Arm& arm, const Target<F>& t, F c
   const double b = arm.lateral;
   const F u2 = rho2 - b * b;
   const Surd<F> u = {F(0.0), F(1.0), u2}, across = {-b * past * inv, along * inv, u2},
-                out = {b * along * inv, past * inv, u2}, level = {at.axis5[2], F(0.0), u2}, h = {at.P[2], F(0.0), u2};
-  const Surd<F> N = condition(arm, u, across, out, level, h).N;
+                out = {b * along * inv, past * inv, u2};
+  const Surd<F> N = condition(arm, u, across, out, at.axis5[2], at.P[2]).N;
   return (N.x * N.x - u2 * N.y * N.y) * rho2 * rho2;
 }
 
