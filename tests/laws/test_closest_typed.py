@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from pieper import DH, Arm
+from pieper import DH, Arm, load
 from pieper.kinematics.pose import pose_error
 
 ARMS = {
@@ -51,6 +51,16 @@ def test_the_posture_that_rounding_took_beyond_its_limit_is_told():
     sols = arm.ik(np.round(arm.fk(q), 7), task="pose")
     assert np.abs(sols.closest.q - q).max() < 1e-6 and sols.closest.metres < 5e-8
     assert "7 decimals" in sols.why and "180 deg" not in sols.why
+
+
+@pytest.mark.parametrize("digits", [8, 7, 6])
+def test_the_posture_in_a_corner_of_its_limits_is_told(digits: int):
+    """Three joints at their stops: descents end beside them, but what almost solves the pose is where they begin."""
+    arm = load("interbotix-viperx-300")
+    q = np.array([3.0, *arm.limits[1:4, 0], -3.0])
+    near = arm.ik(np.round(arm.fk(q), digits), task="pose").closest
+    assert np.abs(near.q - q).max() < 1e2 * 10.0**-digits
+    assert near.metres < 10.0**-digits and near.radians < 1e2 * 10.0**-digits
 
 
 def test_a_position_that_was_meant_is_met_first():

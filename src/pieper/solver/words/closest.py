@@ -15,6 +15,7 @@ from pieper.kinematics.bounded import as_axes, by_axes, nearer
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.newton import pose_difference, scaled_jacobian, settled, shortest
+from pieper.solver.kernel_rows import kernel_rows
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.results import Closest, Solutions
@@ -98,9 +99,9 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     if plan not in _LOOKED_AT:
         _LOOKED_AT[plan] = _looked_at(chain, limits)
     hill = _Hill(chain, limits, T, *_LOOKED_AT[plan])
-    given = np.zeros((0 if seeds is None else len(seeds), chain.n))
-    if seeds is not None:
-        given[:, : plan.n] = seeds
+    seeds = np.vstack([_almost(plan, T), np.zeros((0, plan.n)) if seeds is None else seeds])
+    given = np.zeros((len(seeds), chain.n))
+    given[:, : plan.n] = seeds
     if weights is not None:
         by = _weighed(plan, weights)
         start = np.vstack([hill.starts(by), given])
@@ -121,6 +122,17 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     own = q[_nearest_of(value, angle, typed(T)[1] / chain.length) if turning else np.argmin(value), : plan.n]
     miss = plan.residual(own, T)
     return Closest(own, float(miss[0]), float(miss[1]), fk(plan.chain, own))
+
+
+def _almost(plan: Plan, T: Array) -> Array:
+    """Return postures (k, n) inside the limits from which a short arm misses the pose by little, as by typed decimals.
+
+    It is solved as an arm of six joints, of which those that it has not must stay at zero: here nearly.
+    """
+    if not plan.reduction.fill or plan.redundancy:
+        return np.zeros((0, plan.n))
+    found = kernel_rows(plan, T[None], np.zeros((1, 0)), 1)
+    return np.clip(found.q[found.valid][:, : plan.n], plan.limits[:, 0], plan.limits[:, 1])
 
 
 def typed(T: Array) -> tuple[int, float]:
