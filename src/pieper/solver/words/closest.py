@@ -103,7 +103,7 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     given = np.zeros((len(seeds), chain.n))
     given[:, : plan.n] = seeds
     if weights is not None:
-        by = _weighed(plan, weights)
+        by = _weighed(weights, chain.length, turning)
         start = np.vstack([hill.starts(by), given])
         q = hill.in_radians(start, by)
         q = q[np.argmin(_cost(*hill.distances(q), by))][None]
@@ -127,12 +127,17 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
 def _almost(plan: Plan, T: Array) -> Array:
     """Return postures (k, n) inside the limits from which a short arm misses the pose by little, as by typed decimals.
 
-    It is solved as an arm of six joints, of which those that it has not must stay at zero: here nearly.
+    It is solved as an arm of six joints, of which those that it has not must stay at zero: here nearly. Of coupled
+    joints the axes are solved so.
     """
-    if not plan.reduction.fill or plan.redundancy:
+    solved = plan if plan.uncoupled is None else plan.uncoupled
+    if not solved.reduction.fill or solved.redundancy:
         return np.zeros((0, plan.n))
-    found = kernel_rows(plan, T[None], np.zeros((1, 0)), 1)
-    return np.clip(found.q[found.valid][:, : plan.n], plan.limits[:, 0], plan.limits[:, 1])
+    found = kernel_rows(solved, T[None], np.zeros((1, 0)), 1)
+    q = found.q[found.valid][:, : solved.n]
+    if plan.uncoupled is not None:
+        q = plan.chain.joints.wrapped(plan.chain.numbers(q))
+    return np.clip(plan.chain.joints.inside_limits(q, plan.limits)[0], plan.limits[:, 0], plan.limits[:, 1])
 
 
 def typed(T: Array) -> tuple[int, float]:
@@ -157,8 +162,8 @@ def _nearest_of(value: Array, angle: Array, open_by: float = 0.0) -> int:
     return int(np.argmin(np.where(worth, angle, np.inf))) if worth.any() else nearest
 
 
-def _weighed(plan: Plan, weights: ArrayLike) -> float:
-    """Return what a turn counts beside a length of the arm; infinite for turns alone."""
+def _weighed(weights: ArrayLike, length: float, turning: bool) -> float:
+    """Return what a turn counts beside the length of the chain that is moved; infinite for turns alone."""
     try:
         given = np.asarray(weights, float)
     except (TypeError, ValueError):
@@ -169,7 +174,7 @@ def _weighed(plan: Plan, weights: ArrayLike) -> float:
             f"{arguments.kind_of(weights)}.",
             given=weights,
         )
-    metre, radian = float(given[0]) * plan.chain.length, float(given[1]) * (plan.task != "position")
+    metre, radian = float(given[0]) * length, float(given[1]) * turning
     return (radian / metre) ** 2 if metre else np.inf
 
 
