@@ -88,6 +88,11 @@ template <class F> PIEPER_INLINE Motion<F> unit(F c, F s) {
   F n = 1.0 / sqrt(max(c * c + s * s, F(kTiny)));
   return {c * n, s * n};
 }
+// The same where (c, s) is of length one but for little, whose square is nothing.
+template <class F> PIEPER_INLINE Motion<F> unit_again(F c, F s) {
+  const F n = 1.5 - 0.5 * (c * c + s * s);
+  return {c * n, s * n};
+}
 // A * Z
 template <class F> PIEPER_INLINE RigidT<F> moved(const RigidT<F>& A, Motion<F> m, bool slides) {
   if (slides) return {A.x, A.y, A.z, A.t + m.c * A.z};

@@ -20,7 +20,8 @@
 namespace pieper {
 namespace {
 
-constexpr long kBlock = 256;            // poses at most; about 100 kB of answers for eight solutions of six joints
+// Poses at most, about 200 kB of answers for eight solutions of six joints: what waits for company in vectors meets some in a block.
+constexpr long kBlock = 512;
 constexpr long kScratch = 24 * 1024;    // bytes of answers that stay in the first cache until they are copied past it
 constexpr long kSmallestBlock = 16;     // poses; a multiple of every width of lanes
 constexpr long kUsualCache = 8L << 20;  // bytes, where the processor does not tell

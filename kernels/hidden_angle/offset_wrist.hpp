@@ -38,8 +38,9 @@ struct OffsetWrist : HiddenAngle {
   double tilt_c, tilt_s;                    // of axis 4 out of the plane
   double bend;                              // cosine of the angle of axes 4 and 5
   double sense3;                            // -1 where axis 3 points against axis 2
-  Vector axis4, across4, over4;  // axis 4; what of axis 5 lies across it; axis 4 crossed with that (both of length one)
-  Vector across5, over5;         // the same of axis 6 and axis 5
+  Vector axis4, across4,
+      over4;              // axis 4; what of axis 5 lies across it, over its length squared; axis 4 crossed with that
+  Vector across5, over5;  // the same of axis 6 and axis 5
 
   template <class Self, class Visit> static void fields(Self& self, Visit visit) {
     HiddenAngle::fields(self, visit);
@@ -99,19 +100,22 @@ template <class F> PIEPER_INLINE Target<F> see(const Arm& arm, const RigidT<F>& 
   return out;
 }
 
-// The condition N, and the quantities on the way to it. X: a number, a Dual or a Surd.
-template <class X> struct Condition {
-  X v0, v1, w0, w1, K, g, N;
+// The condition N, and the quantities on the way to it. X: a number or a Surd; Y: a number, of what is the same on both sides.
+template <class X, class Y = X> struct Condition {
+  X v0;
+  Y v1;
+  X w0, w1, K, g, N;
 };
 
 // u: P's distance along the plane; across, level: u5.r and u5.z; out: u5.n; h: P's height.
-template <class X> PIEPER_INLINE Condition<X> condition(const Arm& arm, X u, X across, X out, X level, X h) {
-  Condition<X> c;
+template <class X, class Y>
+PIEPER_INLINE Condition<X, Y> condition(const Arm& arm, X u, X across, X out, Y level, Y h) {
+  Condition<X, Y> c;
   const double l2 = arm.fore * arm.fore;
   c.v0 = u + (-arm.shoulder);
   c.v1 = h;
   c.w0 = arm.lean_c * across + arm.lean_s * level;
-  c.w1 = arm.lean_c * level - arm.lean_s * across;
+  c.w1 = (-arm.lean_s) * across + arm.lean_c * level;
   const X V = c.v0 * c.v0 + c.v1 * c.v1, s = c.v0 * c.w0 + c.v1 * c.w1, area = c.v0 * c.w1 - c.v1 * c.w0;
   c.K = 0.5 * (V + (l2 - arm.upper * arm.upper));
   c.g = (-arm.fore * arm.tilt_s / arm.tilt_c) * out + arm.bend * arm.fore / arm.tilt_c;
@@ -133,18 +137,28 @@ template <class F> PIEPER_INLINE At<F> at_angle(const Target<F>& t, F c, F s) {
   return out;
 }
 
-// N(u) N(-u) rho^4, or N rho^2 where N is even.
-template <class F, bool Even> F polynomial(const Arm& arm, const Target<F>& t, F c, F s) {
+// N(u) N(-u) rho^4.
+template <class F> F polynomial_of_sides(const Arm& arm, const Target<F>& t, F c, F s) {
   const At<F> at = at_angle(t, c, s);
   const F along = at.P[0] * at.axis5[0] + at.P[1] * at.axis5[1], past = at.P[0] * at.axis5[1] - at.P[1] * at.axis5[0];
   const F rho2 = at.P[0] * at.P[0] + at.P[1] * at.P[1], inv = 1.0 / max(rho2, F(kHiddenOnAxis));
   const double b = arm.lateral;
   const F u2 = rho2 - b * b;
   const Surd<F> u = {F(0.0), F(1.0), u2}, across = {-b * past * inv, along * inv, u2},
-                out = {b * along * inv, past * inv, u2}, level = {at.axis5[2], F(0.0), u2}, h = {at.P[2], F(0.0), u2};
-  const Surd<F> N = condition(arm, u, across, out, level, h).N;
-  if (Even) return N.x * rho2;
+                out = {b * along * inv, past * inv, u2};
+  const Surd<F> N = condition(arm, u, across, out, at.axis5[2], at.P[2]).N;
   return (N.x * N.x - u2 * N.y * N.y) * rho2 * rho2;
+}
+
+// N rho^2 where nothing tells the sides apart: a1 = b = 0, axis 4 along the forearm, in the plane.
+template <class F> F polynomial_of_alike(const Arm& arm, const Target<F>& t, F c, F s) {
+  const At<F> at = at_angle(t, c, s);
+  const F along = at.P[0] * at.axis5[0] + at.P[1] * at.axis5[1], past = at.P[0] * at.axis5[1] - at.P[1] * at.axis5[0];
+  const F rho2 = at.P[0] * at.P[0] + at.P[1] * at.P[1], h = at.P[2], level = at.axis5[2];
+  const double l2 = arm.fore * arm.fore, g = arm.bend * arm.fore / arm.tilt_c;
+  const F V = rho2 + h * h, K = 0.5 * (V + (l2 - arm.upper * arm.upper)), area = rho2 * level - h * along;
+  const F dot = arm.lean_c * (along + h * level);
+  return l2 * (area * area) - K * K * (rho2 - past * past) + rho2 * (g * (2.0 * (K * dot) - g * V));
 }
 
 // All of `from` where `here`, else what `to` is; both are made of nothing but numbers of type F.
@@ -199,15 +213,25 @@ template <class F> PIEPER_INLINE Triangle<F> triangle_of(const Arm& arm, const C
   return t;
 }
 
-// From a root to the joints; lanes where that is not clear are marked in the result. slope: of the polynomial.
-template <class F, bool Even>
-Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F slope, F side, Motion<F>* q) {
-  const double b = arm.lateral, l = arm.fore, l2 = l * l;
+// A root found on the arm's own condition, and by what the joints follow.
+template <class F> struct Settled {
+  Motion<F> theta;
+  Seen<F> seen;
+  OnSide<F>
+      now;  // on the side of the root; where nothing tells them apart on the one, of which the other is the mirror image
+  F sign;   // which shape of the triangle
+  Mask<F> unclear;
+};
+
+// From a root of the polynomial with this slope. Where the sides are not alike the root's is found out.
+template <class F, bool Alike> Settled<F> settle(const Arm& arm, const Target<F>& target, Motion<F> theta, F slope) {
+  const double l = arm.fore, l2 = l * l;
   Seen<F> seen = see_at(arm, target, theta);
   auto size_of = [&](const Condition<F>& c) { return l2 * (c.v0 * c.v0 + c.v1 * c.v1) + c.K * c.K; };
   OnSide<F> now;
   Mask<F> unclear;
-  if constexpr (Even) {
+  F side(1.0);
+  if constexpr (Alike) {
     // of N rho^2 where N vanishes
     now = on_side(arm, seen, side);
     slope = slope * seen.over_rho2;
@@ -252,14 +276,25 @@ Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F slo
     if (all(done)) break;
   }
   unclear = unclear | !(abs(change) < kHiddenNearRoot);
-  const Triangle<F> t = triangle_of(arm, now.on);
+  return {theta, seen, now, sign, unclear};
+}
+
+// The joints of a settled root, or, where `side` is -1, of its mirror image in the plane of axis 1 and P's foot on it.
+template <class F>
+PIEPER_INLINE void posture(const Arm& arm, const Target<F>& target, const Settled<F>& root, double side, Motion<F>* q) {
+  const double b = arm.lateral;
+  const Seen<F>& seen = root.seen;
+  const Triangle<F> t = triangle_of(arm, root.now.on);
   const At<F>& at = seen.at;
-  const F u = now.u, across = now.across, out = now.out, level = at.axis5[2], invr = seen.over_rho2;
-  const F v0 = now.on.v0, v1 = now.on.v1, K = now.on.K, bent = sign * t.bent;
+  const F u = side * root.now.u, across = side * root.now.across, out = side * root.now.out, level = at.axis5[2];
+  const F v0 = side * root.now.on.v0, v1 = root.now.on.v1, K = root.now.on.K, bent = side * (root.sign * t.bent);
+  const F invr = seen.over_rho2;
   const F d0 = (K * v0 - bent * v1) * t.over_V, d1 = (K * v1 + bent * v0) * t.over_V;
-  const Motion<F> elbow = unit(v0 - d0, v1 - d1), fore = unit(d0, d1);
-  const Motion<F> r = {(u * at.P[0] + b * at.P[1]) * invr, (u * at.P[1] - b * at.P[0]) * invr};
-  q[0] = unit(r.c, r.s);
+  const double per_upper = 1 / arm.upper, per_fore = 1 / arm.fore;
+  const Motion<F> elbow = unit_again(per_upper * (v0 - d0), per_upper * (v1 - d1));
+  const Motion<F> fore = unit_again(per_fore * d0, per_fore * d1);
+  const Motion<F> r = unit_again((u * at.P[0] + b * at.P[1]) * invr, (u * at.P[1] - b * at.P[0]) * invr);
+  q[0] = r;
   // a plane angle grows from x to z, a turn about y the other way
   q[1] = {arm.elbow_c * elbow.c + arm.elbow_s * elbow.s, arm.elbow_s * elbow.c - arm.elbow_c * elbow.s};
   const Motion<F> both = {arm.fore_c * fore.c + arm.fore_s * fore.s, arm.fore_s * fore.c - arm.fore_c * fore.s};
@@ -273,7 +308,7 @@ Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F slo
   auto on = [](const F* y, Vector e) { return y[0] * e.x + y[1] * e.y + y[2] * e.z; };
   F y[3];
   back(across, out, level, y);
-  q[3] = unit(on(y, arm.across4), on(y, arm.over4));
+  q[3] = unit_again(on(y, arm.across4), on(y, arm.over4));
   const F* six = target.axis6;
   back(six[0] * r.c + six[1] * r.s, six[1] * r.c - six[0] * r.s, six[2], y);
   const Vector k = arm.axis4;  // and before joint 4 turned (Rodrigues' formula)
@@ -281,26 +316,33 @@ Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F slo
   const F z[3] = {y[0] * q[3].c - (k.y * y[2] - k.z * y[1]) * q[3].s + lift * k.x,
                   y[1] * q[3].c - (k.z * y[0] - k.x * y[2]) * q[3].s + lift * k.y,
                   y[2] * q[3].c - (k.x * y[1] - k.y * y[0]) * q[3].s + lift * k.z};
-  q[4] = unit(on(z, arm.across5), on(z, arm.over5));
-  q[5] = theta;
-  return unclear;
+  q[4] = unit_again(on(z, arm.across5), on(z, arm.over5));
+  q[5] = root.theta;
 }
 
-template <bool Even> struct Family {
-  static constexpr int degree = Even ? 4 : 8, samples = Even ? 12 : 20, slots = 16;
-  static constexpr bool both = Even;
+template <bool Alike> struct Family {
+  static constexpr int degree = Alike ? 4 : 8, samples = Alike ? 12 : 20, slots = 16;
+  static constexpr bool both = Alike;
   using Arm = offset_wrist::Arm;
   template <class F> using Target = offset_wrist::Target<F>;
   template <class F> static Target<F> see(const Arm& arm, const RigidT<F>& pose) {
     return offset_wrist::see(arm, pose);
   }
   template <class F> static F polynomial(const Arm& arm, const Target<F>& target, Motion<F> angle) {
-    return offset_wrist::polynomial<F, Even>(arm, target, angle.c, angle.s);
+    if constexpr (Alike) return polynomial_of_alike(arm, target, angle.c, angle.s);
+    else return polynomial_of_sides(arm, target, angle.c, angle.s);
   }
   template <class F> static Mask<F> wanting(const Arm&, const Target<F>&) { return F(0.0) > F(1.0); }
+  template <class F> using Settled = offset_wrist::Settled<F>;
   template <class F>
-  static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F slope, F side, Motion<F>* q) {
-    return offset_wrist::complete<F, Even>(arm, target, root, slope, side, q);
+  static Settled<F> settle(const Arm& arm, const Target<F>& target, Motion<F> root, F slope, Mask<F>& unclear) {
+    const Settled<F> settled = offset_wrist::settle<F, Alike>(arm, target, root, slope);
+    unclear = settled.unclear;
+    return settled;
+  }
+  template <class F>
+  static void posture(const Arm& arm, const Target<F>& target, const Settled<F>& root, double side, Motion<F>* q) {
+    offset_wrist::posture(arm, target, root, side, q);
   }
 };
 
@@ -313,11 +355,17 @@ class OffsetWristKernel {
   static constexpr bool in_order = true;
   explicit OffsetWristKernel(const OffsetWrist& arm) : arm_(arm) {}
   void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
-    if (arm_.alike) hidden_angle::solve<offset_wrist::Family<true>>(arm_, &arm_, 1, T, count, q, valid, flag);
-    else hidden_angle::solve<offset_wrist::Family<false>>(arm_, &arm_, 1, T, count, q, valid, flag);
+    solve(T, count, nullptr, {q, valid, nullptr, flag, nullptr});
+  }
+  bool solve_inside(const double* T, long count, const Directly& how, const Answers& to) const {
+    return solve(T, count, &how, to);
   }
 
  private:
+  bool solve(const double* T, long count, const Directly* how, const Answers& to) const {
+    return arm_.alike ? hidden_angle::solve<offset_wrist::Family<true>>(arm_, &arm_, 1, T, count, how, to)
+                      : hidden_angle::solve<offset_wrist::Family<false>>(arm_, &arm_, 1, T, count, how, to);
+  }
   const OffsetWrist& arm_;
 };
 

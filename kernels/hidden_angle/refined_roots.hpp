@@ -19,23 +19,20 @@ void refine(const Series<F, D>& p, const Brackets<Most>& list, int first, F& c, 
     c = centre_c * x - centre_s * y;
     s = centre_s * x + centre_c * y;
     if (all(done)) break;
-    // the sums of (a - i b) m^k e^{i m theta} over m for k = 0, 1, 2 by Goertzel's recurrence, whose factor is real
-    F re[3][2], im[3][2];
-    for (int k = 0; k < 3; ++k) re[k][0] = re[k][1] = im[k][0] = im[k][1] = F(0.0);
+    // cosines and sines of the multiples by Chebyshev's recurrence; dp/dtheta, and its derivative
     const F twice = c + c;
+    F value = p.a[0], rate = F(0.0), bend = F(0.0), before[2] = {F(1.0), F(0.0)}, now[2] = {c, s};
 #pragma GCC unroll 16
-    for (int m = D; m > 0; --m) {
-      const F a[3] = {p.a[m], double(m) * p.a[m], double(m * m) * p.a[m]};
-      const F b[3] = {p.b[m], double(m) * p.b[m], double(m * m) * p.b[m]};
-      for (int k = 0; k < 3; ++k) {
-        const F x0 = twice * re[k][0] + (a[k] - re[k][1]), y0 = twice * im[k][0] + (b[k] - im[k][1]);
-        re[k][1] = re[k][0], re[k][0] = x0;
-        im[k][1] = im[k][0], im[k][0] = y0;
+    for (int m = 1; m <= D; ++m) {
+      const F here = p.a[m] * now[0] + p.b[m] * now[1], across = p.b[m] * now[0] - p.a[m] * now[1];
+      value += here;
+      rate += double(m) * across;
+      bend -= double(m * m) * here;
+      for (int k = 0; k < 2; ++k) {
+        const F next = twice * now[k] - before[k];
+        before[k] = now[k], now[k] = next;
       }
     }
-    const F value = p.a[0] + (c * re[0][0] - re[0][1]) + s * im[0][0];
-    const F rate = (c * im[1][0] - im[1][1]) - s * re[1][0];          // dp/dtheta
-    const F bend = 0.0 - ((c * re[2][0] - re[2][1]) + s * im[2][0]);  // and its derivative
     const auto below = value < 0.0, left = (below & rising) | !(below | rising);
     low = select(left & !done, u, low);
     high = select(!left & !done, u, high);

@@ -206,13 +206,18 @@ template <class F> Mask<F> wanting(const Target<F>& target) {
          (b.n < kHiddenRoom);
 }
 
+template <class F> struct Settled {
+  Evaluated<F> at;
+  F per;  // one over the square of the sine between the slides
+};
+
 // Where two of the four axes line up, the slides are parallel or roots merge, a solution is not clear.
-template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> theta, F side, Motion<F>* q) {
+template <class F> Settled<F> settle(const Arm& arm, const Target<F>& target, Motion<F> theta, Mask<F>& unclear) {
   const Bend<F> b = bend_of(target);
   const F up = abs(evaluate(PlainNumbers<F>{F(1.0)}, arm, target, b, theta.c, theta.s).f);
   const F down = abs(evaluate(PlainNumbers<F>{F(-1.0)}, arm, target, b, theta.c, theta.s).f);
-  side = select(up <= down, F(1.0), F(-1.0));
-  auto unclear = !(min(up, down) < kHiddenSide * max(up, down));
+  const F side = select(up <= down, F(1.0), F(-1.0));
+  unclear = !(min(up, down) < kHiddenSide * max(up, down));
   for (int step = 0; step < 2; ++step) {
     const Evaluated<Dual<F>> at =
         evaluate(DualNumbers<F>{side}, arm, target, b, Dual<F>{theta.c, -theta.s}, Dual<F>{theta.s, theta.c});
@@ -222,23 +227,28 @@ template <class F> Mask<F> complete(const Arm& arm, const Target<F>& target, Mot
         unclear | !(abs(change) < (step ? kHiddenLastStep : kHiddenFirstStep)) | !(abs(slope) > kHiddenSlope * size);
     theta = advanced(theta, change);
   }
-  const Evaluated<F> at = evaluate(PlainNumbers<F>{side}, arm, target, b, theta.c, theta.s);
-  const F size = dot(at.across, at.across), per = 1.0 / max(size, F(kTiny));
-  unclear = unclear | !(at.room > kHiddenRoom * b.n) | !(at.open > kHiddenRoom) | !(size > kHiddenParallel);
+  Settled<F> root = {evaluate(PlainNumbers<F>{side}, arm, target, b, theta.c, theta.s), F(0.0)};
+  const F size = dot(root.at.across, root.at.across);
+  root.per = 1.0 / max(size, F(kTiny));
+  unclear = unclear | !(root.at.room > kHiddenRoom * b.n) | !(root.at.open > kHiddenRoom) | !(size > kHiddenParallel);
+  return root;
+}
+
+template <class F> void posture(const Arm& arm, const Settled<F>& root, Motion<F>* q) {
+  const Evaluated<F>& at = root.at;
   int turns = 0, slides = 0;
   for (int role = 0; role < 6; ++role) {
     Motion<F>& out = q[arm.joint(role)];
     if (arm.slides[role]) {
       // rest + d1 s1 + d2 s2 = 0, crossed with the other slide
       const F d = slides ? dot(cross(at.rest, at.slide[0]), at.across) : -dot(cross(at.rest, at.slide[1]), at.across);
-      out = {d * per, F(0.0)};
+      out = {d * root.per, F(0.0)};
       ++slides;
     } else {
       out = unit(at.turn[turns].c, at.turn[turns].s);
       ++turns;
     }
   }
-  return unclear;
 }
 
 struct Family {
@@ -251,9 +261,14 @@ struct Family {
     return two_slides::polynomial(arm, target, angle);
   }
   template <class F> static Mask<F> wanting(const Arm&, const Target<F>& target) { return two_slides::wanting(target); }
+  template <class F> using Settled = two_slides::Settled<F>;
   template <class F>
-  static Mask<F> complete(const Arm& arm, const Target<F>& target, Motion<F> root, F, F side, Motion<F>* q) {
-    return two_slides::complete(arm, target, root, side, q);
+  static Settled<F> settle(const Arm& arm, const Target<F>& target, Motion<F> root, F, Mask<F>& unclear) {
+    return two_slides::settle(arm, target, root, unclear);
+  }
+  template <class F>
+  static void posture(const Arm& arm, const Target<F>&, const Settled<F>& root, double, Motion<F>* q) {
+    two_slides::posture(arm, root, q);
   }
 };
 
@@ -268,7 +283,11 @@ class TwoSlidesKernel {
     for (int k = 0; k < arm.hidden.count; ++k) way_[k] = two_slides::Arm(arm, arm.hidden.at[k]);
   }
   void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
-    hidden_angle::solve<two_slides::Family>(arm_, way_, arm_.hidden.count, T, count, q, valid, flag);
+    hidden_angle::solve<two_slides::Family>(arm_, way_, arm_.hidden.count, T, count, nullptr,
+                                            {q, valid, nullptr, flag, nullptr});
+  }
+  bool solve_inside(const double* T, long count, const Directly& how, const Answers& to) const {
+    return hidden_angle::solve<two_slides::Family>(arm_, way_, arm_.hidden.count, T, count, &how, to);
   }
 
  private:

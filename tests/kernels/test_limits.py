@@ -22,7 +22,7 @@ def limits_of(rng):
     return limits
 
 
-@pytest.mark.parametrize("name", ["denso-vp6242", "ur5e", "stanford", "motoman-ea1400n"])
+@pytest.mark.parametrize("name", ["denso-vp6242", "ur5e", "stanford", "motoman-ea1400n", "fanuc-crx-10ia"])
 def test_rows_inside_are_those_that_some_whole_turn_brings_inside(name):
     arm, rng = pieper.load(name), np.random.default_rng(8)
     plan = arm.plan

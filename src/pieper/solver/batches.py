@@ -18,6 +18,7 @@ from pieper.kinematics.forward import checked_joints, checked_weights
 from pieper.kinematics.pose import PoseLike, as_pose, reason_against, unsound
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.coupled_selection import CoupledSelection, RowSelection
+from pieper.solver.large_rooms import large_room
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Status
 from pieper.solver.rows import Chosen, Refused, Rows
@@ -233,7 +234,7 @@ def arrays_of(plan: Plan, out: object, count: int, slots: int, near: Near | None
 def _on_lines(shape: tuple[int, ...]) -> Array:
     """Return a new array that begins with a line of the cache, so that the kernels write whole lines of it."""
     size = math.prod(shape)
-    room = np.empty(size + _LINE // 8)
+    room = large_room(size + _LINE // 8)
     first = -room.ctypes.data % _LINE // 8
     return room[first : first + size].reshape(shape)
 

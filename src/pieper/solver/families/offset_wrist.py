@@ -70,7 +70,7 @@ def prepare(chain: Chain, found: Match) -> KernelSpec:
     numbers = _measured(seen)
     even = bool(_sides(numbers))
     if even:
-        numbers.update(shoulder=0.0, lateral=0.0)
+        numbers.update(shoulder=0.0, lateral=0.0, lean_s=0.0, tilt_s=0.0)
     return KernelSpec(
         _kernel.OffsetWrist(
             length=seen.length,
@@ -125,7 +125,8 @@ def _measured(chain: Chain) -> dict[str, Any]:
     elbow, forearm, along = (v / max(float(np.linalg.norm(v)), TINY) for v in (elbow, forearm, in_plane))
     lean = np.array([forearm @ along, forearm[0] * along[1] - forearm[1] * along[0]])
     part = (axes[4] @ axes[5]) * axes[5]
-    across4, across5 = _across(axes[4], axes[3]), _across(axes[5], axes[4])
+    # over the sine, so that a direction's products with these and with what they are crossed to are a sine and a cosine
+    across4, across5 = (_across(axes[k + 1], axes[k]) / np.linalg.norm(np.cross(axes[k], axes[k + 1])) for k in (3, 4))
     return {
         "to_base": to_base,
         "base": base,

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools, Indices
+from pieper.kinematics.joints import JointSpace
 from pieper.kinematics.pose import stepped
 from pieper.solver.arm_rows import full_rows
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.approach import held_or_beside, pulled
-from pieper.tolerances import ROUNDING, SIDE_STEPS, SWEEP_FINEST
+from pieper.tolerances import RELATIVE_ROUNDING, ROUNDING, SIDE_STEPS, SWEEP_FINEST
 
 #: Slices over the range to begin with: many where one prepared kernel serves all values, few where each needs its own.
 SLICES, SLICES_PREPARED = 96, 24
@@ -192,13 +193,34 @@ def unknown(plan: Plan, swept: Sweep, coordinate: int, q: Array) -> Array:
 
 def _known(plan: Plan, swept: Sweep, here: Indices, q: Array) -> Bools:
     """Return (N, M): whether rows q (N, M, n), each at or before slice `here` (N,), have a neighbour in the sweep."""
+    joints = plan.exact.full.joints
+    mine, theirs = _on_circles(joints, q), _on_circles(joints, swept.q)
+    size, sizes = (np.einsum("vmc,vmc->vm", c, c) for c in (mine, theirs))
+    sizes[~swept.valid] = np.inf
     known = np.zeros(q.shape[:2], bool)
     # a slice further on counts too: near its ends a branch moves fast
     for step in (-1, 0, 1):
         near = np.clip(here + step, 0, len(swept.values) - 1)
-        distance = _apart(plan, q, swept.q[near])
-        known |= ((distance < KNOWN) & swept.valid[near][:, None, :]).any(2)
+        # few pairs are near each other: those are looked at whose chords are, which are no longer than their arcs
+        square = size[:, :, None] + sizes[near][:, None] - 2 * mine @ np.swapaxes(theirs[near], 1, 2)
+        i, row, other = np.nonzero(square < KNOWN**2 + RELATIVE_ROUNDING)
+        gap = joints.difference(q[i, row], swept.q[near[i], other])
+        close = np.einsum("kn,kn->k", gap, gap) < KNOWN**2
+        known[i[close], row[close]] = True
     return known
+
+
+def _on_circles(joints: JointSpace, q: Array) -> Array:
+    """Return joint vectors (..., n) as points, of which a chord is no longer than the joints' difference.
+
+    Of coupled joints, whose differences are not those of their axes, all are one point.
+    """
+    if joints.coupled is not None:
+        return np.zeros((*q.shape[:-1], 1))
+    turning = ~joints.prismatic
+    return np.concatenate(
+        [np.cos(q[..., turning]), np.sin(q[..., turning]), (q / joints.unit)[..., joints.prismatic]], -1
+    )
 
 
 def _to_either_side() -> Array:

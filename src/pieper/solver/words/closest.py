@@ -62,6 +62,8 @@ LAST_STEPS = 8
 REST_STEPS = 200
 #: Weights of a turn's chord that are tried until it counts as its angle does.
 IN_RADIANS = 40
+#: What moves a decimal point over so many decimals.
+_TENS = 10.0 ** np.arange(MOST_TYPED)
 #: The postures looked at of each plan and their poses, as long as the plan is held.
 _LOOKED_AT: WeakKeyDictionary[Plan, tuple[Array, Array]] = WeakKeyDictionary()
 
@@ -141,10 +143,10 @@ def _almost(plan: Plan, T: Array) -> Array:
 def typed(T: Array) -> tuple[int, float]:
     """Return the decimals (m) a position was typed with, a pose's (4, 4), and by how much (m) they leave it open."""
     place = T[:3, 3]
-    for digits in range(MOST_TYPED):
-        if np.abs(np.round(place, digits) - place).max() <= LAST_BITS * np.abs(place).max():
-            return digits, float(np.sqrt(3.0) / 2 * 10.0**-digits)
-    return MOST_TYPED, 0.0
+    # as np.round does it, all decimals at once
+    off = np.abs(np.rint(place[:, None] * _TENS) / _TENS - place[:, None]).max(0)
+    exact = np.flatnonzero(off <= LAST_BITS * np.abs(place).max())
+    return (int(exact[0]), float(np.sqrt(3.0) / 2 / _TENS[exact[0]])) if len(exact) else (MOST_TYPED, 0.0)
 
 
 def _nearest_of(value: Array, angle: Array, open_by: float = 0.0) -> int:
