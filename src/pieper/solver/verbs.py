@@ -318,7 +318,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         index = np.flatnonzero(which & ~marked)
         for first in range(0, len(index), LOOKED_AT_ONCE):
             part = index[first : first + LOOKED_AT_ONCE]
-            marked[part] = ask(plan, poses[part])
+            marked[part] = ask(plan, _checked(poses[part]))
     index = np.flatnonzero(marked)
     if plan.direct:
         read = plan.solver.read_into(poses, index, rows)
@@ -331,9 +331,8 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         index = index[read == 0]
     for i in index.tolist():
         # the same road as `ik`, so that both start from the same digits
-        T = checked_pose(poses[i])
-        q, _, _, flag = plan.solver.one(T) if plan.direct else rows.of(i)
-        found = _with_care(plan, T, q, int(flag) | (int(rows.flags[i]) & _ROUNDED))
+        q, _, _, flag = plan.solver.one(poses[i]) if plan.direct else rows.of(i)
+        found = _with_care(plan, checked_pose(poses[i]), q, int(flag) | (int(rows.flags[i]) & _ROUNDED))
         rows.put_one(i, found.all_q, found.in_limits, found.flag)
         status[i] = found.status
     return status
