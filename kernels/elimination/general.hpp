@@ -12,6 +12,7 @@
 #ifdef PIEPER_ISA
 #include <type_traits>
 
+#include "elimination/counted.hpp"
 #include "elimination/prepare.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -222,7 +223,12 @@ template <class F> void solve_group(const Model& model, const double* T, int use
     bool fetched = false, healthy = false;
     const bool at_once = certain;
     certain = certain || all_there(model, found[i]);
-    if (!certain) certain = escalate(model, load_poses<double>(T + 16 * i), found[i], &fetched, &healthy);
+    if (!certain) {
+      const Rigid pose = load_poses<double>(T + 16 * i);
+      healthy = certain = counted(model, pose, found[i]);
+      if (!certain) certain = escalate(model, pose, found[i], &fetched, &healthy);
+      if (!certain) healthy = certain = counted(model, pose, found[i]), fetched = fetched && !certain;
+    }
     const bool whole = !at_once && all_there(model, found[i]), singular = !whole && ((weak && !healthy) || fetched);
     // no eigenvalue near the real line: a pose beside this one brings none onto it
     const bool edge = !at_once || report[i].nearly > 0;

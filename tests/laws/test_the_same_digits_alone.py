@@ -31,7 +31,7 @@ def limited(arm):
     for limits in ([[-np.pi, np.pi]], eighths, [[-7.0, 1.0]]):
         wanted = np.where(slides, arm.limits, limits)
         wanted = np.where((wanted[:, 1] - wanted[:, 0] < 0.1)[:, None], arm.limits, wanted)
-        yield arm.with_limits({j: tuple(map(float, pair)) for j, pair in enumerate(wanted)})
+        yield arm.with_limits({name: tuple(map(float, pair)) for name, pair in zip(arm.joint_names, wanted, strict=True)})
 
 
 def poses(arm, rng, count):

@@ -18,6 +18,8 @@ from pieper.tolerances import BELIEVED_NOISE, GEOMETRY_EXACT, LENGTHLESS, TINY
 
 #: The kernel's order of trials: six starts of the loop, two directions, two orders of the pair.
 _DIRECTIONS = ("forward", "backward")
+#: Poses that were made by random postures of which each is to be certain.
+MADE_POSES = 16
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,8 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     Returns:
         The spec. Its `info` holds `usable` (number of ways left), `certified` (False where every way vanishes for
         this geometry and a slightly changed arm is solved instead, its solutions polished onto this one: poses are
-        then flagged uncertain; or where the best way is noisier than can be believed), `hidden_joint` (1-based, of
+        then flagged uncertain; or where the best way is noisier than can be believed and does not tell all the same
+        how many solutions poses have), `hidden_joint` (1-based, of
         the best way), `direction`, `noise` (of the best way, relative; 1e-16 is perfect), `ways` (a tuple of dicts:
         rank, hidden joint, direction, missed test solutions, noise), `max_solutions` (what the degree allows) and
         `scale` (m).
@@ -76,7 +79,7 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
         best = {"hidden_joint": None, "direction": "a nearby arm's solutions, polished", "noise": 1.0}
     info: dict[str, Any] = {
         "usable": geometry.usable,
-        "certified": slides == 3 or (bool(exact) and best["noise"] < BELIEVED_NOISE),
+        "certified": slides == 3 or (bool(exact) and (best["noise"] < BELIEVED_NOISE or _proves(chain, geometry))),
         "hidden_joint": best["hidden_joint"],
         "direction": best["direction"],
         "noise": best["noise"],
@@ -99,6 +102,14 @@ FAMILY = Family(
     prepare=prepare,
     eliminating=True,
 )
+
+
+def _proves(chain: Chain, geometry: _kernel.General) -> bool:
+    """Whether noisy eliminations tell of poses all the same how many solutions there are: of some that were made."""
+    free = np.tile([-np.inf, np.inf], (6, 1))
+    solver = KernelSpec(geometry).solver(free, chain.prismatic)
+    q = np.random.default_rng(5).uniform(-np.pi, np.pi, (MADE_POSES, 6)) * np.where(chain.prismatic, chain.length, 1.0)
+    return all(not solver.one(T)[3] & int(_kernel.Flag.UNCERTAIN) for T in chain.native.fk(q))
 
 
 def _ways(trials: Array) -> tuple[dict[str, Any], ...]:
