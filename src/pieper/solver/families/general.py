@@ -13,7 +13,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
 from pieper.solver.families.family import Family, KernelSpec
-from pieper.solver.families.loop import full_rank
+from pieper.solver.families.loop import full_rank, nearly_full_rank
 from pieper.tolerances import BELIEVED_NOISE, GEOMETRY_EXACT, LENGTHLESS, TINY
 
 #: The kernel's order of trials: six starts of the loop, two directions, two orders of the pair.
@@ -65,7 +65,7 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     links, scale = slid(chain)
     geometry = _kernel.General(links=links, slides=tuple(chain.prismatic.tolist()), scale=scale)
     ways = _ways(geometry.trials)
-    if geometry.usable == 0 or not full_rank(chain):
+    if geometry.usable == 0 or not (full_rank(chain) or (nearly_full_rank(chain) and _proves(chain, geometry))):
         found = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
         reason, cure = _reason(chain, slides)
         raise PlanError(f"{reason} {cure}", geometry=found, ways=ways, reason=reason)
