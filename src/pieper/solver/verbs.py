@@ -201,8 +201,7 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
     batch = batch_of(plan, found)
     if plan.chain.linked:
         # what the linkage holds of the axes' self-motions, and of merged roots, is looked at pose by pose
-        merged = (batch.status == Status.OUTSIDE_LIMITS) & ((batch.found.flags & _DEGENERATE) > 0)
-        for i in np.flatnonzero((batch.status == Status.SINGULAR) | merged):
+        for i in np.flatnonzero((batch.status == Status.SINGULAR) | ((batch.found.flags & _DEGENERATE) > 0)):
             one = ik(plan, poses[i])
             batch.found.put_one(int(i), one.all_q, one.in_limits, one.flag)
             batch.status[i] = one.status
