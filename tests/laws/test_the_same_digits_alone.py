@@ -1,6 +1,6 @@
 """A law: a pose comes to the same digits alone as among others, however many they are and in whatever order.
 
-Where a joint stands at half a turn its last digit says whether that is +pi or -pi, and limits may hold only one of them.
+Where a joint stands at half a turn its last digit says whether that is +pi or -pi, and limits may hold only one.
 """
 
 from __future__ import annotations
@@ -10,15 +10,16 @@ import pytest
 
 import pieper
 
-#: Of every family, with coupled joints, linkages, slides, fewer joints than six and one to spare.
+#: Of the closed forms and an offset wrist.
 SOLVED_AT_ONCE = (
     "denso-vp6242", "kuka-kr6-r900-2", "abb-irb-2400", "puma-560", "staubli-tx60", "doosan-m1013", "ur5e", "ur10e",
-    "techman-tm5-700", "dobot-nova5", "stanford-arm", "fanuc-crx-10ia", "motoman-ea1400n", "kinova-mico",
-    "kinova-gen3-6dof", "universal-robots-ur3", "fanuc-lr-mate-200id", "kuka-kr10-r1100-2",
+    "techman-tm5-700", "dobot-nova5", "stanford-arm", "motoman-ea1400n", "universal-robots-ur3",
+    "fanuc-lr-mate-200id", "kuka-kr10-r1100-2",
 )  # fmt: skip
-THROUGH_SIX_JOINTS = (
-    "fanuc-lr-mate-200id-controller", "fanuc-crx-10ia-controller", "kuka-kr120-r3200-pa", "dobot-mg400",
-    "dobot-magician", "adept-cobra-600", "epson-ls3-401s", "doosan-p3020", "ufactory-xarm5", "three-r", "so-101",
+#: By elimination, with coupled joints, linkages, slides, fewer joints than six: singular poses take up to a second.
+OTHERS = (
+    "fanuc-crx-10ia", "kinova-mico", "kinova-gen3-6dof", "fanuc-lr-mate-200id-controller", "fanuc-crx-10ia-controller",
+    "kuka-kr120-r3200-pa", "dobot-mg400", "dobot-magician", "adept-cobra-600", "epson-ls3-401s", "doosan-p3020", "ufactory-xarm5", "three-r", "so-101",
     "interbotix-pincherx-100", "interbotix-viperx-300", "robotis-openmanipulator-x", "dfrobot-rob0036",
 )  # fmt: skip
 
@@ -31,11 +32,13 @@ def limited(arm):
     for limits in ([[-np.pi, np.pi]], eighths, [[-7.0, 1.0]]):
         wanted = np.where(slides, arm.limits, limits)
         wanted = np.where((wanted[:, 1] - wanted[:, 0] < 0.1)[:, None], arm.limits, wanted)
-        yield arm.with_limits({name: tuple(map(float, pair)) for name, pair in zip(arm.joint_names, wanted, strict=True)})
+        yield arm.with_limits(
+            {name: tuple(map(float, pair)) for name, pair in zip(arm.joint_names, wanted, strict=True)}
+        )
 
 
 def poses(arm, rng, count):
-    """Return poses at quarters of a turn, with some joints at these, and at random; some of them typed with 8 digits."""
+    """Return poses at quarters of a turn, with some joints at these, and at random; some are typed with 8 digits."""
     unit = np.where(arm.chain.prismatic, arm.chain.length / 5, 1.0)
     quarters = rng.integers(-2, 3, (count, arm.n)) * (np.pi / 2)
     any_where = rng.uniform(-np.pi, np.pi, (count, arm.n))
@@ -63,22 +66,22 @@ def hold(name, count):
                 for k in range(len(many)):
                     the_same(alone[first + k], many, k)
         order = rng.permutation(len(T))
-        many = arm.ik_many(T[order], threads=2, near=np.full(arm.n, 3.0))
+        near = np.linspace(3.0, 2.1, arm.n)  # no two postures that differ by halves of a turn are as near
+        many = arm.ik_many(T[order], threads=2, near=near)
         for k, i in enumerate(order):
             the_same(alone[i], many, k)
-            if many.has_nearest[k]:
-                near = alone[i].nearest(np.full(arm.n, 3.0))
-                assert alone[i].self_motions or np.abs(near - many.nearest[k]).max() < 1e-12
+            if alone[i].status is pieper.Status.SOLVED:
+                np.testing.assert_allclose(alone[i].nearest(near), many.nearest[k], rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("name", SOLVED_AT_ONCE)
 def test_alone_and_among_others(name):
-    hold(name, 10)
+    hold(name, 8)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", THROUGH_SIX_JOINTS)
-def test_alone_and_among_others_through_six_joints(name):
+@pytest.mark.parametrize("name", OTHERS)
+def test_alone_and_among_others_of_slower_arms(name):
     hold(name, 8)
 
 
