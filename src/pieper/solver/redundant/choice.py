@@ -44,6 +44,11 @@ class Choice:
     angle: ArmAngle | None
     free: bool
 
+    def part(self, at: slice) -> Choice:
+        """Return the same for some of the poses."""
+        angles = None if self.angles is None else self.angles[at]
+        return Choice(self.plan, self.values[at], angles, self.angle, self.free)
+
 
 def nothing_chosen(redundancy: Redundancy) -> bool:
     """Whether no value was given: None, or no name."""
