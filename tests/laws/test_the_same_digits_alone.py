@@ -18,9 +18,10 @@ SOLVED_AT_ONCE = (
 )  # fmt: skip
 #: By elimination, with coupled joints, linkages, slides, fewer joints than six: singular poses take up to a second.
 OTHERS = (
-    "fanuc-crx-10ia", "kinova-mico", "kinova-gen3-6dof", "fanuc-lr-mate-200id-controller", "fanuc-crx-10ia-controller",
-    "kuka-kr120-r3200-pa", "dobot-mg400", "dobot-magician", "adept-cobra-600", "epson-ls3-401s", "doosan-p3020", "ufactory-xarm5", "three-r", "so-101",
-    "interbotix-pincherx-100", "interbotix-viperx-300", "robotis-openmanipulator-x", "dfrobot-rob0036",
+    "fanuc-crx-10ia", "kinova-mico", "kinova-gen3-6dof", "fanuc-lr-mate-200id-controller",
+    "fanuc-crx-10ia-controller", "kuka-kr120-r3200-pa", "dobot-mg400", "dobot-magician", "adept-cobra-600",
+    "epson-ls3-401s", "doosan-p3020", "ufactory-xarm5", "three-r", "so-101", "interbotix-pincherx-100",
+    "interbotix-viperx-300", "robotis-openmanipulator-x", "dfrobot-rob0036",
 )  # fmt: skip
 
 

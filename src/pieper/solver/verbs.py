@@ -215,8 +215,9 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
 
 def _plain(Ts: PoseLike) -> Array:
     """Return poses (N, 4, 4) as they were given where they are an array of that shape: unchecked then."""
-    if isinstance(Ts, np.ndarray):
-        poses = np.ascontiguousarray(arguments.numbers(Ts, "Ts", "(N, 4, 4)"))
+    given = Ts
+    if isinstance(given, np.ndarray):
+        poses = np.ascontiguousarray(arguments.numbers(given, "Ts", "(N, 4, 4)"))
         if poses.ndim == 3 and poses.shape[1:] == (4, 4):
             return poses
     return _checked(Ts)
