@@ -1,5 +1,5 @@
 // Forward kinematics of a chain T(q) = L0 Z(q1) L1 ... Z(qn) Ln: poses, frames and Jacobians, W joint vectors at a time.
-// Templates over the number type: one joint vector in doubles, many in lanes.
+// Templates over the number type, used for lanes only.
 #pragma once
 
 #include "lanes/batch.hpp"
@@ -59,11 +59,12 @@ template <class F> PIEPER_INLINE bool joints_of([[maybe_unused]] const double* q
   return false;
 }
 
-// Calls group(type tag, first, lanes) for all poses: whole lanes, then the rest; one pose alone in plain doubles.
+// Calls group(type tag, first, lanes) for all poses: whole lanes, then the rest. One alone takes the narrowest lanes: of vectors of
+// every width a compiler fuses the same products with sums, of plain numbers others.
 template <class Group> PIEPER_INLINE void in_groups(long count, Group group) {
   constexpr int W = PIEPER_LANES;
   if (count == 1) {
-    group(double(), 0L, 1);
+    group(Lanes<2>(), 0L, 1);
     return;
   }
   long done = 0;

@@ -139,22 +139,11 @@ Outcome Solver::solve(const double* T, long count, int threads, const Answers& t
 
 bool Solver::solve_one(const double* T, double* q, std::uint8_t* valid, std::uint8_t* in_limits, std::uint8_t* flag,
                        BadPose& bad) const {
-  double deviation;
-  isa_.deviation(T, 1, &deviation);
-  if (!(deviation <= accepted_)) {
-    bad = {0, deviation};
-    return false;
-  }
-  double straight[16];
-  if (deviation > exact_) {
-    isa_.straighten(T, &deviation, exact_, 1, straight);
-    T = straight;
-  }
-  family_.solve(kernel_, T, 1, q, valid, flag);
-  if (!family_.in_order) isa_.put_in_order(q, valid, 1, slots(), joints(), prismatic_.data());
-  if (deviation > exact_) *flag |= kRounded;
-  isa_.limits(q, valid, slots(), joints(), lower_.data(), upper_.data(), prismatic_.data(), in_limits);
-  return true;
+  double deviation, straight[16];
+  std::uint8_t outcome;
+  if (solve_block(T, 1, &deviation, straight, false, {q, valid, in_limits, flag, &outcome}) == 1) return true;
+  bad = {0, deviation};
+  return false;
 }
 
 }  // namespace pieper

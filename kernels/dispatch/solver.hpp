@@ -52,7 +52,8 @@ class Solver {
   Outcome solve(const double* T, long count, int threads, const Answers& to, const Chosen& chosen, BadPose& bad,
                 const std::function<bool(long)>& keep_going) const;
 
-  // One pose, checked here; returns false and fills `bad` when it is not a rigid motion.
+  // One pose by the road of many, so that it comes to the same digits alone as among others: where an angle is half a turn a last
+  // digit decides its sign. Returns false and fills `bad` when it is no rigid motion.
   bool solve_one(const double* T, double* q, std::uint8_t* valid, std::uint8_t* in_limits, std::uint8_t* flag,
                  BadPose& bad) const;
 

@@ -12,6 +12,7 @@
 #ifdef PIEPER_ISA
 #include <type_traits>
 
+#include "elimination/counted.hpp"
 #include "elimination/prepare.hpp"
 
 namespace pieper::PIEPER_ISA {
@@ -214,15 +215,20 @@ template <class F> void solve_group(const Model& model, const double* T, int use
   for (Found& f : found) f.count = 0;
   solve_variant(model, model.variant[0], load_poses<F>(T), used, found, report);
   for (int i = 0; i < used; ++i) {
-    // an elimination that has lost digits for this arm is not believed on its own word
+    // an elimination that has lost digits for this arm is not believed on its own word, unless its real zeros tell how many
     const bool weak = !(report[i].size > kGeneralMarked * model.variant[0].typical) && !report[i].proven;
-    bool certain =
-        model.variant[0].noise < kGeneralQuiet && trusted(model.variant[0], report[i]) && settled(report[i], found[i]);
+    const bool quiet = model.variant[0].noise < kGeneralQuiet || report[i].proven;
+    bool certain = quiet && trusted(model.variant[0], report[i]) && settled(report[i], found[i]);
     // next to a pose where the elimination is singular, variants may agree on what all of them have lost
     bool fetched = false, healthy = false;
     const bool at_once = certain;
     certain = certain || all_there(model, found[i]);
-    if (!certain) certain = escalate(model, load_poses<double>(T + 16 * i), found[i], &fetched, &healthy);
+    if (!certain) {
+      const Rigid pose = load_poses<double>(T + 16 * i);
+      healthy = certain = counted(model, pose, found[i]);
+      if (!certain) certain = escalate(model, pose, found[i], &fetched, &healthy);
+      if (!certain) healthy = certain = counted(model, pose, found[i]), fetched = fetched && !certain;
+    }
     const bool whole = !at_once && all_there(model, found[i]), singular = !whole && ((weak && !healthy) || fetched);
     // no eigenvalue near the real line: a pose beside this one brings none onto it
     const bool edge = !at_once || report[i].nearly > 0;

@@ -72,8 +72,9 @@ template <class F> Closure<F> polish(const RigidT<F>* link, const Roles& roles, 
     F d[6];
     newton_step(m, 6, kPolishPivot, kPolishLongestStep, d);
     for (int k = 0; k < 6; ++k) {
-      if (roles.prismatic[k]) q[k].c += d[k];
-      else q[k] = advanced(q[k], d[k]);
+      const Motion<F> next = roles.prismatic[k] ? Motion<F>{q[k].c + d[k], q[k].s} : advanced(q[k], d[k]);
+      q[k].c = select(active, next.c, q[k].c);
+      q[k].s = select(active, next.s, q[k].s);
     }
   }
   // one step of inverse iteration on R^T R

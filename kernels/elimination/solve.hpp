@@ -252,7 +252,8 @@ template <class F, int N> void solve_variant(const Model& model, const Variant& 
   for (int i = 0, first = 0; i < used; ++i) {
     int own = 0;
     while (first + own < count && list[first + own].pose == i) ++own;
-    if (!v.arm && !(report[i].size > kGeneralTrusted * v.typical) && eigenvalues[i] == S && report[i].unresolved == 0) {
+    const bool lost_digits = !(report[i].size > kGeneralTrusted * v.typical) || !(v.noise < kGeneralQuiet);
+    if (!v.arm && lost_digits && eigenvalues[i] == S && report[i].unresolved == 0) {
       double around[kRound];
       for (int k = 0; k < kRound; ++k) around[k] = lane(poses.around[k], i);
       report[i].proven = strayed(S, re[i], im[i], around) < kGeneralStrayed &&

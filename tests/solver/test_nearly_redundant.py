@@ -24,6 +24,22 @@ MADE = {
         (0.2, np.pi / 2, 0.1, 0),
         (0.1, 0, 0.1, 0),
     ),
+    "four between two": lambda p: arm(
+        (0, np.pi / 2, 0.1, 0),
+        (0.3, np.pi - p, 0, 0),
+        (0.3, np.pi - p, 0.1, 0),
+        (0.25, np.pi - p, 0, 0),
+        (0.2, np.pi / 2, 0.1, 0),
+        (0.1, 0, 0.1, 0),
+    ),
+    "five and a turn across": lambda p: arm(
+        (0.3, p, 0, 0),
+        (0.3, p, 0.1, 0),
+        (0.25, p, 0, 0),
+        (0.2, p, 0.1, 0),
+        (0.15, np.pi / 2, 0.05, 0),
+        (0.1, 0, 0.1, 0),
+    ),
     "planar": lambda p: arm((0.3, p, 0, 0), (0.3, p, 0.1, 0), (0.25, 0, 0, 0), (0.2, 0, 0.1, 0)),
     "one line": lambda p: arm((0, p, 0.4, 0), (0, 1.57079, 0.1, 0), (0.3, 0, 0, 0), (0.2, 0, 0, 0)),
     "twisted": lambda p: arm(
@@ -42,6 +58,21 @@ def test_an_arm_that_only_looks_redundant_is_solved_as_it_is(name, p):
         assert np.abs(a.fk(found.q) - found.T).max() < 1e-9
         # 1e-15 of the pose is as much as 1e-9 of such a posture
         assert np.abs(found.nearest(q) - q).max() < 1e-6
+
+
+def test_tilts_of_a_millionth_are_counted_by_the_signs_of_a_noisy_determinant():
+    a = MADE["four between two"](np.pi - 1e-6)
+    for q in np.random.default_rng(3).uniform(-2, 2, (12, 6)):
+        found = a.ik(a.fk(q))
+        assert found.status is Status.SOLVED and np.abs(found.nearest(q) - q).max() < 1e-6
+        assert np.abs(a.fk(found.q) - found.T).max() < 1e-12
+
+
+def test_six_nearly_parallel_turns_are_certain_more_often_than_not():
+    rows = zip((0.3, 0.3, 0.25, 0.2, 0.15, 0.1), [3.1416] * 5 + [0], (0, 0.1, 0, 0.1, 0.05, 0.1), strict=True)
+    a = arm(*((length, twist, offset, 0) for length, twist, offset in rows))
+    T = a.fk(np.random.default_rng(1).uniform(-2, 2, (10, 6)))
+    assert sum(status == Status.UNCERTAIN for status in a.ik_many(T).status) <= 3
 
 
 @pytest.mark.parametrize("p", [3.141592, 3.141593, 3.1415927, 3.14159265])

@@ -106,9 +106,6 @@ template <class Geometry, class Lanes_> class GroupKernel {
     const Answers to = {q, valid, nullptr, flag, nullptr};
     if (!arm_.straight || !family_.straight) {
       for (long i = 0; i < count; ++i) again(1, T + 16 * i, nullptr, part(to, i));
-    } else if (count == 1) {
-      again(solve_clear<double>(arm_, family_, load_poses<double>(T), 1, nullptr, q, valid, flag, nullptr), T, nullptr,
-            to);
     } else {
       in_lanes(T, count, [&](long first, int lanes, const double* poses) {
         clear_or_again(load_poses<Wide>(poses), poses, lanes, nullptr, part(to, first));

@@ -85,11 +85,12 @@ struct ParallelWristSteps {
                                                                          const F (&w)[3], Shoulder<F>& a) {
     const double b = P.b, scale = P.scale, here = kSwpOnSingularity * scale;
     F rho = sqrt(a.R2), gap = rho - __builtin_fabs(b);
+    const Mask<F> near = a.x2 < shoulder_near(P);  // the other lanes keep their digits
     a.beyond = gap < -kSwpBeyond * scale;
-    a.degenerate = (a.x2 < shoulder_near(P)) & !a.beyond;  // well inside the circle there is nothing to look at
+    a.degenerate = near & !a.beyond;  // well inside the circle there is nothing to look at
     Mask<F> edge = (gap < 0.0) & (gap >= -kSwpOvershoot * scale);
     Mask<F> on_axis = (rho <= here) & mask_of<F>(__builtin_fabs(b) <= here);
-    a.x = sqrt(max(gap * (rho + __builtin_fabs(b)), F(0.0)));
+    a.x = select(near, sqrt(max(gap * (rho + __builtin_fabs(b)), F(0.0))), a.x);
     a.reached = (gap >= 0.0) | edge | on_axis;
     // on the axis both sides hold the same families; at the edge they are a double root
     a.two_sides =

@@ -75,7 +75,6 @@ class SphericalWristParallelKernel : ParallelWristSteps {
   };
 
   void solve(const double* T, long count, double* q, std::uint8_t* valid, std::uint8_t* flag) const {
-    if (count == 1) return solve_alone(arm_, load_poses<double>(T), q, valid, flag);
     in_lanes(T, count, [&](long first, int lanes, const double* poses) {
       using F = Lanes<PIEPER_LANES>;
       Branches<F, 8, 6> out;
@@ -159,52 +158,6 @@ class SphericalWristParallelKernel : ParallelWristSteps {
     out.uncertain = (none & shoulder.degenerate & shoulder.reached) | missed;
     out.out_of_reach = none;
     out.edge = none & !(shoulder.beyond | beyond);
-  }
-
-  // One pose alone: lanes are the four postures of shoulder and elbow.
-  PIEPER_INLINE static void solve_alone(const SphericalWristParallel& P, const Rigid& T, double* q, std::uint8_t* valid,
-                                        std::uint8_t* flag) {
-    using F = Lanes<4>;
-    double M1[3][3], w1[3];
-    into_base(P, T, M1, w1);
-    F M[3][3], w[3];
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) M[i][j] = F(M1[i][j]);
-      w[i] = F(w1[i]);
-    }
-    F side, sense;
-    for (int k = 0; k < 4; ++k) side.v[k] = k < 2 ? 1.0 : -1.0, sense.v[k] = k == 0 || k == 3 ? -1.0 : 1.0;
-    Shoulder<F> shoulder = start_shoulder(P, w);
-    Arm<F> arm = turn_shoulder(P, M, w, shoulder, side);
-    const AsTheyCome<F> place(P);
-    arm.ok = arm.ok & (shoulder.two_sides | (side > 0.0));
-    Elbow<F> elbow = start_elbow(P, arm);
-    const Forearm<F> forearm = bend(P, M, arm, elbow, sense);
-    const Wrist<F> wrist = turn_wrist(P, arm, elbow, forearm);
-    const Angles<F> angle = angles(P, elbow, forearm, wrist);
-    Mask<F> second = (side * sense) > 0.0;  // slot with elbow 1
-    const Mask<F> there = elbow.two | !second, ok = wrist.ok & there;
-    const unsigned bits = bits_of(ok), two = bits_of(wrist.two);
-    const bool degenerate = any(shoulder.degenerate | elbow.degenerate | (wrist.degenerate & ok));
-    const F at[6] = {
-        place.own(0, arm.s, arm.c), place(1, angle.th2), place(2, (P.sign3 * sense) * unit_angle(elbow.s3, elbow.c3)),
-        place(3, angle.th4),        place(4, angle.th5), place.own(5, wrist.s6, wrist.c6)};
-    const F other[6] = {
-        at[0], at[1], at[2], place.other_way(3, at[3]), place(4, -angle.th5), place.other_way(5, at[5])};
-    for (int k = 0; k < 4; ++k) {
-      const bool first_ok = (bits >> k) & 1u, both_ok = first_ok & ((two >> k) & 1u);
-      valid[2 * k] = first_ok;
-      valid[2 * k + 1] = both_ok;
-      double *a = q + 12 * k, *b = a + 6;
-      for (int j = 0; j < 6; ++j) {
-        a[j] = first_ok ? at[j].v[k] : 0.0;
-        b[j] = both_ok ? other[j].v[k] : 0.0;
-      }
-    }
-    *flag = static_cast<std::uint8_t>(
-        (degenerate ? kDegenerate : 0) | (bits ? 0 : kOutOfReach) |
-        ((!bits && degenerate && any(shoulder.reached)) || any(wrist.reached & there & !ok) ? kUncertain : 0) |
-        (bits || all(shoulder.beyond | elbow.beyond) ? 0 : kEdge));
   }
 
  private:

@@ -178,8 +178,10 @@ def checked_pose(T: PoseLike, what: str = "T", *, batch: bool = False) -> Array:
         )
     if worst > ROTATION_EXACT:
         # the iteration for the polar factor (Higham, 1986), as the kernels do it: each step squares the deviation
+        off = deviation > ROTATION_EXACT  # the others keep their digits, whatever company they are given in
         for _ in range(2):
-            pose[..., :3, :3] = R @ (1.5 * np.eye(3) - 0.5 * (np.swapaxes(R, -1, -2) @ R))
+            some = R[off]
+            R[off] = some @ (1.5 * np.eye(3) - 0.5 * (np.swapaxes(some, -1, -2) @ some))
     return pose
 
 

@@ -13,9 +13,9 @@ import numpy.typing as npt
 
 from pieper import _kernel, arguments
 from pieper.errors import InputError
-from pieper.kinematics.arrays import Array, ArrayLike, Indices
+from pieper.kinematics.arrays import Array, ArrayLike, Bools, Indices
 from pieper.kinematics.forward import checked_joints, checked_weights
-from pieper.kinematics.pose import PoseLike, as_pose, reason_against, unsound
+from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, is_exact, reason_against, unsound
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.coupled_selection import CoupledSelection, RowSelection
 from pieper.solver.large_rooms import large_room
@@ -194,6 +194,18 @@ def _one_by_one(Ts: PoseLike) -> tuple[Array, dict[int, str]]:
             continue
         poses[k] = matrix
     return poses, told
+
+
+def straightened(poses: Array) -> tuple[Array, Bools]:
+    """Return poses (N, 4, 4) with exact rotation parts, and which of them were rounded (N,).
+
+    Raises:
+        InputError: One of them is no pose; the message says which and why.
+    """
+    if is_exact(poses):
+        return poses, np.zeros(len(poses), bool)
+    straight = checked_pose(poses, "Ts", batch=True)
+    return straight, (straight != poses).any((1, 2))
 
 
 # ---------------------------------------------------------------------------------------------- where answers go

@@ -44,6 +44,7 @@ def held(plan: Plan, values: Array, valid: Bools) -> tuple[Array, Bools]:
 def rows_of(plan: Plan, rows: Rows) -> Rows:
     """Return rows of the axes' values as rows of the joints' numbers, those that the linkage does not hold left out."""
     q, valid = held(plan, rows.q, rows.valid)
+    valid = plan.chain.joints.without_repeats(q, valid, SAME_AFTER_CUT)
     q, inside = plan.chain.joints.inside_limits(q, plan.limits)
     return Rows(np.where(valid[..., None], q, 0.0), valid, inside & valid, rows.flags)
 

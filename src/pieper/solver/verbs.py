@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
-from dataclasses import replace
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -26,6 +25,7 @@ from pieper.solver.batches import (
     joined,
     marking,
     near_what,
+    straightened,
     tell,
     without_refused,
 )
@@ -33,7 +33,7 @@ from pieper.solver.beyond import DOUBTS, beyond, refuse_too_far, too_far, withou
 from pieper.solver.other_plans import goes_far, one_by_other_plan, rows_by_other_plans
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.at_values import rows_at_choice
-from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice, nothing_chosen
+from pieper.solver.redundant.choice import Choice, Redundancy, choice, nothing_chosen
 from pieper.solver.results import Solutions, Status, Words
 from pieper.solver.rows import Flag, Rows, any_row
 from pieper.solver.words.closest import closest_to
@@ -97,7 +97,7 @@ def ik_many(
 ) -> SolutionBatch:
     """Return every solution of N poses; see `Arm.ik_many`."""
     threads = _threads(threads)
-    poses, refused = without_refused(Ts) if marking(invalid) else (_plain(plan, Ts, redundancy), None)
+    poses, refused = without_refused(Ts) if marking(invalid) else (_plain(Ts), None)
     near_by = near_what(plan, near, start, weights, len(poses))
     arguments.told(progress)
     told = None if progress is None else partial(tell, progress, len(poses))
@@ -136,11 +136,11 @@ def _solved(
         return whole
     if isinstance(out, SolutionBatch):
         arrays_of(plan, out, len(poses), out.q.shape[-2], near)  # what is wrong with it is said before the work
+    poses, rounded = straightened(poses)
     parts: list[SolutionBatch] = []
     for first in range(0, max(len(poses), 1), BLOCK):
         at = slice(first, first + BLOCK)
-        angles = None if asked.angles is None else asked.angles[at]
-        parts.append(_through(plan, poses[at], replace(asked, values=asked.values[at], angles=angles), threads))
+        parts.append(_through(plan, poses[at], rounded[at], asked.part(at), threads))
         if told is not None:
             told(min(first + BLOCK, len(poses)))
     return joined(plan, parts, out, near)
@@ -181,13 +181,14 @@ def _into(
         near.choose_again(rows, unclear, chosen)
 
 
-def _through(plan: Plan, poses: Array, asked: Choice, threads: int) -> SolutionBatch:
-    """Solve poses of an arm or a task that became a six-joint chain."""
-    rows = rows_at_choice(plan, poses, asked, threads, _alone)
+def _through(plan: Plan, poses: Array, rounded: Bools, asked: Choice, threads: int) -> SolutionBatch:
+    """Solve poses of an arm or a task that became a six-joint chain, some of which were rounded."""
+    rows, of_rounded = rows_at_choice(plan, poses, asked, threads, _alone), np.uint8(_ROUNDED) * rounded
+    rows.flags[:] |= of_rounded
     if plan.redundancy:
         without_doubt(plan, poses, rows)
         rows, status = _spare(plan, poses, rows, asked, threads)
-        rows.flags[:] &= np.uint8(255 ^ _EDGE)
+        rows.flags[:] = (rows.flags & np.uint8(255 ^ (_EDGE | _DEGENERATE))) | of_rounded
         status[(rows.flags & _UNCERTAIN) > 0] = np.uint8(Status.UNCERTAIN)
     else:
         refuse_too_far(poses, np.flatnonzero(~any_row(rows.valid)))
@@ -201,24 +202,23 @@ def _many_coupled(plan: Plan, found: SolutionBatch, poses: Array) -> SolutionBat
     batch = batch_of(plan, found)
     if plan.chain.linked:
         # what the linkage holds of the axes' self-motions, and of merged roots, is looked at pose by pose
-        merged = (batch.status == Status.OUTSIDE_LIMITS) & ((batch.found.flags & _DEGENERATE) > 0)
-        for i in np.flatnonzero((batch.status == Status.SINGULAR) | merged):
-            one = ik(plan, checked_pose(poses[i]))
+        for i in np.flatnonzero((batch.status == Status.SINGULAR) | ((batch.found.flags & _DEGENERATE) > 0)):
+            one = ik(plan, poses[i])
             batch.found.put_one(int(i), one.all_q, one.in_limits, one.flag)
             batch.status[i] = one.status
         return batch
     for i in np.flatnonzero((batch.status == Status.SINGULAR) & ~any_row(batch.in_limits)):
-        batch.status[i] = ik(plan, checked_pose(poses[i])).status
+        batch.status[i] = ik(plan, poses[i]).status
     return batch
 
 
 # ---------------------------------------------------------------------------------------------- check
 
 
-def _plain(plan: Plan, Ts: PoseLike, redundancy: Redundancy) -> Array:
-    """Return poses (N, 4, 4) as the solver takes them, unchecked where it looks at them itself."""
-    by_value, given = not (isinstance(redundancy, Mapping) and ARM_ANGLE in redundancy), Ts
-    if isinstance(given, np.ndarray) and (plan.direct or (plan.immediate and by_value)):
+def _plain(Ts: PoseLike) -> Array:
+    """Return poses (N, 4, 4) as they were given where they are an array of that shape: unchecked then."""
+    given = Ts
+    if isinstance(given, np.ndarray):
         poses = np.ascontiguousarray(arguments.numbers(given, "Ts", "(N, 4, 4)"))
         if poses.ndim == 3 and poses.shape[1:] == (4, 4):
             return poses
@@ -322,7 +322,7 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         index = np.flatnonzero(which & ~marked)
         for first in range(0, len(index), LOOKED_AT_ONCE):
             part = index[first : first + LOOKED_AT_ONCE]
-            marked[part] = ask(plan, poses[part])
+            marked[part] = ask(plan, _checked(poses[part]))
     index = np.flatnonzero(marked)
     if plan.direct:
         read = plan.solver.read_into(poses, index, rows)
@@ -335,9 +335,8 @@ def _look(plan: Plan, poses: Array, rows: Rows) -> Bits:
         index = index[read == 0]
     for i in index.tolist():
         # the same road as `ik`, so that both start from the same digits
-        T = checked_pose(poses[i])
-        q, _, _, flag = plan.solver.one(T) if plan.direct else rows.of(i)
-        found = _with_care(plan, T, q, int(flag) | (int(rows.flags[i]) & _ROUNDED))
+        q, _, _, flag = plan.solver.one(poses[i]) if plan.direct else rows.of(i)
+        found = _with_care(plan, checked_pose(poses[i]), q, int(flag) | (int(rows.flags[i]) & _ROUNDED))
         rows.put_one(i, found.all_q, found.in_limits, found.flag)
         status[i] = found.status
     return status

@@ -13,11 +13,13 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.geometry import Geometry, look
 from pieper.solver.families.family import Family, KernelSpec
-from pieper.solver.families.loop import full_rank
+from pieper.solver.families.loop import full_rank, nearly_full_rank
 from pieper.tolerances import BELIEVED_NOISE, GEOMETRY_EXACT, LENGTHLESS, TINY
 
 #: The kernel's order of trials: six starts of the loop, two directions, two orders of the pair.
 _DIRECTIONS = ("forward", "backward")
+#: Poses that were made by random postures of which each is to be certain.
+MADE_POSES = 16
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,8 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     Returns:
         The spec. Its `info` holds `usable` (number of ways left), `certified` (False where every way vanishes for
         this geometry and a slightly changed arm is solved instead, its solutions polished onto this one: poses are
-        then flagged uncertain; or where the best way is noisier than can be believed), `hidden_joint` (1-based, of
+        then flagged uncertain; or where the best way is noisier than can be believed and does not tell all the same
+        how many solutions poses have), `hidden_joint` (1-based, of
         the best way), `direction`, `noise` (of the best way, relative; 1e-16 is perfect), `ways` (a tuple of dicts:
         rank, hidden joint, direction, missed test solutions, noise), `max_solutions` (what the degree allows) and
         `scale` (m).
@@ -62,7 +65,7 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     links, scale = slid(chain)
     geometry = _kernel.General(links=links, slides=tuple(chain.prismatic.tolist()), scale=scale)
     ways = _ways(geometry.trials)
-    if geometry.usable == 0 or not full_rank(chain):
+    if geometry.usable == 0 or not (full_rank(chain) or (nearly_full_rank(chain) and _proves(chain, geometry))):
         found = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
         reason, cure = _reason(chain, slides)
         raise PlanError(f"{reason} {cure}", geometry=found, ways=ways, reason=reason)
@@ -76,7 +79,7 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
         best = {"hidden_joint": None, "direction": "a nearby arm's solutions, polished", "noise": 1.0}
     info: dict[str, Any] = {
         "usable": geometry.usable,
-        "certified": slides == 3 or (bool(exact) and best["noise"] < BELIEVED_NOISE),
+        "certified": slides == 3 or (bool(exact) and (best["noise"] < BELIEVED_NOISE or _proves(chain, geometry))),
         "hidden_joint": best["hidden_joint"],
         "direction": best["direction"],
         "noise": best["noise"],
@@ -99,6 +102,14 @@ FAMILY = Family(
     prepare=prepare,
     eliminating=True,
 )
+
+
+def _proves(chain: Chain, geometry: _kernel.General) -> bool:
+    """Whether noisy eliminations tell of poses all the same how many solutions there are: of some that were made."""
+    free = np.tile([-np.inf, np.inf], (6, 1))
+    solver = KernelSpec(geometry).solver(free, chain.prismatic)
+    q = np.random.default_rng(5).uniform(-np.pi, np.pi, (MADE_POSES, 6)) * np.where(chain.prismatic, chain.length, 1.0)
+    return all(not solver.one(T)[3] & int(_kernel.Flag.UNCERTAIN) for T in chain.native.fk(q))
 
 
 def _ways(trials: Array) -> tuple[dict[str, Any], ...]:

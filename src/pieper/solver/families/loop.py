@@ -8,7 +8,7 @@ from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import scaled_jacobian
 from pieper.kinematics.pose import translation
-from pieper.tolerances import RANK, TINY
+from pieper.tolerances import RANK, RANK_ROUNDING, TINY
 
 
 def centred(chain: Chain, first: int) -> np.ndarray:
@@ -66,6 +66,12 @@ def positioning_rank(chain: Chain, first: int) -> int:
 def full_rank(chain: Chain) -> bool:
     """Return whether a six-joint chain reaches all six directions at a posture of no special kind."""
     return any(rank(J) == 6 for J in _jacobians(chain))
+
+
+def nearly_full_rank(chain: Chain) -> bool:
+    """Return whether it does but for a direction that is weak beyond rounding, as between nearly parallel axes."""
+    weak = (np.linalg.svd(J, compute_uv=False) for J in _jacobians(chain))
+    return any(s[-1] > RANK_ROUNDING * s[0] for s in weak)
 
 
 def planar(chain: Chain, first: int, normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

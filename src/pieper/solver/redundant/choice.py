@@ -52,6 +52,11 @@ class Choice:
         """Names of what was chosen where others were not."""
         return tuple(self.plan.redundancy[i] for i in self.named)
 
+    def part(self, at: slice) -> Choice:
+        """Return the same for some of the poses."""
+        angles = None if self.angles is None else self.angles[at]
+        return Choice(self.plan, self.values[at], angles, self.angle, self.free)
+
 
 def nothing_chosen(redundancy: Redundancy) -> bool:
     """Whether no value was given: None, or no name."""

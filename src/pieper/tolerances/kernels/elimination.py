@@ -28,6 +28,8 @@ GENERAL_TRUSTED = 1e-7
 GENERAL_WITNESS = 1e-10
 #: A pair of complex eigenvalues between which the determinant is this many times what rounding has left of it is one.
 GENERAL_PROVEN = 1e2
+#: The same where two eliminations say it independently of each other.
+GENERAL_COUNTED = 1e1
 #: By how much eigenvalues may fail to reproduce the determinant around the circle, of its largest: one that is off by
 #: what makes a double root more than nearly real changes it by the square of that; others leave 1e-12.
 GENERAL_STRAYED = 1e-7
