@@ -140,12 +140,11 @@ def _meets(chain: Chain, T: Array, place: _Place, q: Array, within: float) -> Bo
         return near
     held = np.linalg.norm(pose_difference(chain, point, T), axis=1)
     near &= held < 10 * ON_CURVE
-    # Newton's method may have slipped onto another curve that passes as near: there the side is the other one
+    # Newton's method may have slipped onto another curve that passes as near: it has another side
     some = np.flatnonzero(near)
-    there = side(chain, point[some], along[some])
-    ends = side(chain, four[some, 1], along[some]), side(chain, four[some, 2], along[some])
-    slipped = (there * ends[0] < 0) & (there * ends[1] < 0)
-    near[some[slipped]] = False
+    there = bordered(chain, point[some], along[some])
+    ends = (bordered(chain, four[some, i], along[some]) for i in (1, 2))
+    near[some] = np.logical_or(*(same_side(end, there) for end in ends))
     return near
 
 
@@ -172,12 +171,32 @@ def _solved(A: Array, b: Array) -> Array:
         return np.einsum("mij,mj->mi", np.linalg.pinv(A, rcond=FOLLOW_NONE), b)
 
 
-def side(chain: Chain, q: Array, along: Array) -> Array:
-    """Return the signs (m,) of the Jacobians' determinants at q (m, 7), the way `along` (m, 7) beneath; 0 for rounding.
+def bordered(chain: Chain, q: Array, along: Array) -> Array:
+    """Return the Jacobians (m, 7, 7) at q (m, 7), the way `along` (m, 7) of a curve beneath."""
+    return np.concatenate([scaled_jacobian(chain, q), along[:, None]], 1)
 
-    The determinant with the free direction beneath keeps its sign along a curve, and two curves that pass each other
-    beside a singular posture have different ones: an elbow nearly straight bends either way.
+
+def same_side(before: Array, after: Array) -> Bools:
+    """Return whether what `bordered` gives at two places (m, 7, 7) is of curves on one side; rounding is on either.
+
+    Eliminated from its largest entries on, the pivots keep their signs along a curve. Of two that pass each other beside
+    a singular posture the last differ, an elbow nearly straight bends either way; where shoulder and wrist are both all
+    but in line the last two may, and the determinant has one sign on both.
     """
-    A = np.concatenate([scaled_jacobian(chain, q), along[:, None]], 1)
-    sign, size = np.linalg.slogdet(A)
-    return np.where(size > np.log(FOLLOW_NONE), sign, 0.0)
+    before, after = before.copy(), after.copy()
+    every = np.arange(len(before))
+    same, known, most = np.ones(len(before), bool), np.ones(len(before), bool), np.full(len(before), TINY)
+    for i in range(before.shape[1]):
+        largest = np.abs(before[:, i:, i:]).reshape(len(before), -1).argmax(1)
+        row, entry = i + largest // (before.shape[1] - i), i + largest % (before.shape[1] - i)
+        for A in (before, after):
+            A[every, row], A[:, i] = A[:, i].copy(), A[every, row]
+            A[every, :, entry], A[:, :, i] = A[:, :, i].copy(), A[every, :, entry]
+        pivots = before[:, i, i], after[:, i, i]
+        most = np.maximum(most, np.abs(pivots[0]))
+        known &= (np.abs(pivots[0]) > FOLLOW_NONE * most) & (np.abs(pivots[1]) > FOLLOW_NONE * most)
+        same &= ~known | (pivots[0] * pivots[1] > 0)
+        for A, pivot in zip((before, after), pivots, strict=True):
+            part = A[:, i + 1 :, i] / np.where(pivot == 0, 1.0, pivot)[:, None]
+            A[:, i + 1 :, i:] -= part[:, :, None] * A[:, i, None, i:]
+    return same
