@@ -11,7 +11,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import pose_difference, scaled_jacobian, singular_values
-from pieper.tolerances import CLOSES, FOLLOW_EXACT, FOLLOW_NONE, LED_AWAY, ON_CURVE, SAME_VOUCHED, TINY
+from pieper.tolerances import BOTH_WEAK, CLOSES, FOLLOW_EXACT, FOLLOW_NONE, LED_AWAY, ON_CURVE, SAME_VOUCHED, TINY
 
 #: So many stretches of a curve are looked at that come near a posture: one that bends back may pass it twice.
 STRETCHES = 3
@@ -140,11 +140,15 @@ def _meets(chain: Chain, T: Array, place: _Place, q: Array, within: float) -> Bo
         return near
     held = np.linalg.norm(pose_difference(chain, point, T), axis=1)
     near &= held < 10 * ON_CURVE
-    # Newton's method may have slipped onto another curve that passes as near: it has another side
+    # Newton's method may have slipped onto another curve that passes as near: it is on another side than both samples
     some = np.flatnonzero(near)
     there = bordered(chain, point[some], along[some])
-    ends = (bordered(chain, four[some, i], along[some]) for i in (1, 2))
-    near[some] = np.logical_or(*(same_side(end, there) for end in ends))
+    for end in (1, 2):
+        other = ~same_side(bordered(chain, four[some, end], along[some]), there)
+        some, there = some[other], there[other]
+        if not len(some):
+            return near
+    near[some] = False
     return near
 
 
@@ -176,27 +180,18 @@ def bordered(chain: Chain, q: Array, along: Array) -> Array:
     return np.concatenate([scaled_jacobian(chain, q), along[:, None]], 1)
 
 
-def same_side(before: Array, after: Array) -> Bools:
+def same_side(one: Array, other: Array) -> Bools:
     """Return whether what `bordered` gives at two places (m, 7, 7) is of curves on one side; rounding is on either.
 
-    Eliminated from its largest entries on, the pivots keep their signs along a curve. Of two that pass each other beside
-    a singular posture the last differ, an elbow nearly straight bends either way; where shoulder and wrist are both all
-    but in line the last two may, and the determinant has one sign on both.
+    On the way along a curve it stays regular. Of two curves that pass each other beside a singular posture a direction is
+    turned round between them, an elbow nearly straight bends either way: the one has a negative eigenvalue relative to
+    the other, and the determinant another sign. With shoulder and wrist both all but in line two are turned round, and
+    the determinant has one sign on both.
     """
-    before, after = before.copy(), after.copy()
-    every = np.arange(len(before))
-    same, known, most = np.ones(len(before), bool), np.ones(len(before), bool), np.full(len(before), TINY)
-    for i in range(before.shape[1]):
-        largest = np.abs(before[:, i:, i:]).reshape(len(before), -1).argmax(1)
-        row, entry = i + largest // (before.shape[1] - i), i + largest % (before.shape[1] - i)
-        for A in (before, after):
-            A[every, row], A[:, i] = A[:, i].copy(), A[every, row]
-            A[every, :, entry], A[:, :, i] = A[:, :, i].copy(), A[every, :, entry]
-        pivots = before[:, i, i], after[:, i, i]
-        most = np.maximum(most, np.abs(pivots[0]))
-        known &= (np.abs(pivots[0]) > FOLLOW_NONE * most) & (np.abs(pivots[1]) > FOLLOW_NONE * most)
-        same &= ~known | (pivots[0] * pivots[1] > 0)
-        for A, pivot in zip((before, after), pivots, strict=True):
-            part = A[:, i + 1 :, i] / np.where(pivot == 0, 1.0, pivot)[:, None]
-            A[:, i + 1 :, i:] -= part[:, :, None] * A[:, i, None, i:]
+    (sign, size), (other_sign, other_size) = np.linalg.slogdet(one), np.linalg.slogdet(other)
+    known = np.minimum(size, other_size) > np.log(FOLLOW_NONE)
+    same = ~known | (sign * other_sign > 0)
+    both = np.flatnonzero(known & same & (np.minimum(size, other_size) < np.log(BOTH_WEAK)))
+    if len(both):
+        same[both] = (np.linalg.eigvals(np.linalg.solve(one[both], other[both])).real > 0).all(1)
     return same
