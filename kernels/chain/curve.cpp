@@ -22,10 +22,10 @@ constexpr double kAlong = 0.9;   // if it comes home along itself and not across
 constexpr double kBeside = 0.3;  // of a step: so far beside it a curve's beginning may be passed by that step,
 constexpr double kPast = 1.1;    // and so far ahead
 
-// On which side of others a curve of seven joints is: the signs of the pivots when the Jacobian with the curve's way beneath is
-// eliminated from its largest entries on, and their order. One curve keeps them, the determinant's sign with them. What goes
-// straight on where curves cross changes the last; where two directions weaken at once, as with shoulder and wrist all but in
-// line, it changes the last two, and the determinant's sign is the same.
+// On which side of others a curve of seven joints is: the signs of the pivots when the Jacobian with the curve's way
+// beneath is eliminated from its largest entries on, and their order. One curve keeps them, and the determinant's sign
+// with them. What goes straight on where curves cross changes the last; where two directions weaken at once, as with
+// shoulder and wrist all but in line, it changes the last two, and the determinant's sign is the same.
 struct Sides {
   int row[7], entry[7];
   bool negative[7];
@@ -157,8 +157,8 @@ struct Follower : Posture {
     return slides[k] ? gap : gap - kTwoPi * std::floor((gap + kPi) / kTwoPi);
   }
 
-  // Whether the curve that goes along `along` from `here` to `ahead` passes its beginning `first` on the way. `sides` are those
-  // on which it is here.
+  // Whether the curve that goes along `along` from `here` to `ahead` passes its beginning `first` on the way. `sides` are
+  // those on which it is here.
   bool passes(const double* here, const double* ahead, const double* along, const double* first, const Sides& sides) {
     std::vector<double> gap(n), on(here, here + n);
     double went = 0;

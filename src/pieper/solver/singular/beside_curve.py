@@ -183,10 +183,10 @@ def bordered(chain: Chain, q: Array, along: Array) -> Array:
 def same_side(one: Array, other: Array) -> Bools:
     """Return whether what `bordered` gives at two places (m, 7, 7) is of curves on one side; rounding is on either.
 
-    On the way along a curve it stays regular. Of two curves that pass each other beside a singular posture a direction is
-    turned round between them, an elbow nearly straight bends either way: the one has a negative eigenvalue relative to
-    the other, and the determinant another sign. With shoulder and wrist both all but in line two are turned round, and
-    the determinant has one sign on both.
+    On the way along a curve it stays regular. Of two curves that pass each other beside a singular posture a direction
+    is turned round between them, an elbow nearly straight bends either way: the one has a negative eigenvalue relative
+    to the other, and the determinant another sign. With shoulder and wrist both all but in line two are turned round,
+    and the determinant has one sign on both.
     """
     (sign, size), (other_sign, other_size) = np.linalg.slogdet(one), np.linalg.slogdet(other)
     known = np.minimum(size, other_size) > np.log(FOLLOW_NONE)
