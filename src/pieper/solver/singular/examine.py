@@ -18,6 +18,7 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space, singular_values, size_of
 from pieper.kinematics.pose import rotation_about
+from pieper.solver.redundant.coaxial import joined
 from pieper.solver.singular import near_curve
 from pieper.solver.singular.at_limits import LINE_STEPS, at_limits, drawn_in, leads_away, met_inside, way_of_slides
 from pieper.solver.singular.examined import Examined, told
@@ -145,7 +146,17 @@ def examine(
         placed = _exact_ones(curves, placed, most - len(isolated))
     doubles = all_into_limits(chain, [q for q, _ in placed], T, limits)
     pairs = [count for _, count in placed]
-    return told(chain, isolated, doubles, pairs, met_inside([at_limits(motion) for motion in curves.closed]))
+    motions = met_inside([at_limits(motion) for motion in _without_surfaces_blur(curves.closed)])
+    return told(chain, isolated, doubles, pairs, motions)
+
+
+def _without_surfaces_blur(motions: list[SelfMotion]) -> list[SelfMotion]:
+    """Return self-motions without curves that run on a surface told beside them.
+
+    From a row that is known to half the digits a curve runs so far beside the surface that it seems to be one alone.
+    """
+    surfaces = [motion for motion in motions if motion.dimension > 1]
+    return [m for m in motions if m.dimension > 1 or not any(joined(over, m.samples).all() for over in surfaces)]
 
 
 def _exact_ones(curves: _Curves, placed: list[tuple[Array, int]], room: int) -> list[tuple[Array, int]]:
