@@ -97,7 +97,7 @@ class PyCarefulLook {
     return nb::make_tuple(q, inside, static_cast<int>(found.flag), singular, branches, motion, motions);
   }
 
-  // Looks at the poses that index (K,) names and writes their rows; returns (K,) 0 where that could not be read off, else 1, and 2
+  // Looks at the poses that index (K,) names, whose rows and flags are given, and writes what there is; returns (K,) 0 where that could not be read off, else 1, and 2
   // where a self-motion was found.
   nb::object into(nb::handle given, nb::handle which, nb::handle q, nb::handle valid, nb::handle inside,
                   nb::handle flags) const {
@@ -123,10 +123,15 @@ class PyCarefulLook {
       if (at[k] < 0 || at[k] >= all) throw nb::index_error("index names a pose that is not there.");
     nb::gil_scoped_release release;
     pieper::CarefulPose found;
+    std::vector<double> known;
     for (npy_intp k = 0; k < count; ++k) {
       const std::int64_t i = at[k];
-      read[k] = 0;
-      if (!(*look_)(T + 16 * i, found) || found.count > slots) continue;
+      read[k] = 0, known.clear();
+      for (int s = 0; s < slots; ++s)
+        if (is[i * slots + s]) known.insert(known.end(), to + 6 * (i * slots + s), to + 6 * (i * slots + s + 1));
+      if (!look_->look(T + 16 * i, known.data(), static_cast<int>(known.size() / 6), flag[i], found) ||
+          found.count > slots)
+        continue;
       read[k] = found.motions.empty() ? 1 : 2;
       std::fill(to + i * slots * 6, to + (i + 1) * slots * 6, 0.0);
       std::copy(found.q.begin(), found.q.end(), to + i * slots * 6);

@@ -171,18 +171,6 @@ CarefulLook::CarefulLook(const Solver& solver, const double* links, const std::u
 
 CarefulLook::~CarefulLook() = default;
 
-bool CarefulLook::operator()(const double* T, CarefulPose& out) const {
-  const Own& own = *own_;
-  double q[kMostRows * 6];
-  std::uint8_t valid[kMostRows], inside[kMostRows], flag;
-  BadPose bad{};
-  if (own.solver.slots() > kMostRows || !own.solver.solve_one(T, q, valid, inside, &flag, bad)) return false;
-  int count = 0;
-  for (int s = 0; s < own.solver.slots(); ++s)
-    if (valid[s]) std::copy(q + 6 * s, q + 6 * s + 6, q + 6 * count++);
-  return look(T, q, count, flag, out);
-}
-
 bool CarefulLook::look(const double* T, const double* q, int count, std::uint8_t flag, CarefulPose& out) const {
   const Own& own = *own_;
   double rows[kMostRows * 6], deviation, straight[16];

@@ -63,8 +63,6 @@ class CarefulLook {
   // Looks at a pose that is one, of which the solver has these rows (count x 6, rad, m) and this flag; false where what there is
   // cannot be read off.
   bool look(const double* T, const double* q, int count, std::uint8_t flag, CarefulPose& out) const;
-  // The same, solved here.
-  bool operator()(const double* T, CarefulPose& out) const;
 
  private:
   struct Own;

@@ -9,15 +9,36 @@
 
 namespace pieper::PIEPER_ISA {
 
+// An angle (rad) with its cosine and sine.
+struct Turn {
+  double angle, cosine, sine;
+  explicit Turn(double by) : angle(by), cosine(std::cos(by)), sine(std::sin(by)) {}
+  Turn(double by, double cosine, double sine) : angle(by), cosine(cosine), sine(sine) {}
+  Turn operator-() const { return {-angle, cosine, -sine}; }
+  Turn operator+(const Turn& b) const {
+    return {angle + b.angle, cosine * b.cosine - sine * b.sine, sine * b.cosine + cosine * b.sine};
+  }
+  // e^(i sense angle)
+  std::complex<double> round(double sense) const { return {cosine, sense * sine}; }
+};
+
 // middle + size cos(angle - phase)
 struct Harmonic {
   double middle, size, phase;
+  Turn at_phase{0};
   static Harmonic of(double constant, double cosine, double sine) {
-    return {constant, std::hypot(cosine, sine), std::atan2(sine, cosine)};
+    const double phase = std::atan2(sine, cosine);
+    return {constant, std::hypot(cosine, sine), phase, Turn(phase)};
   }
   double at(double angle) const { return middle + size * std::cos(angle - phase); }
+  double at(const Turn& turn) const {
+    return middle + size * (turn.cosine * at_phase.cosine + turn.sine * at_phase.sine);
+  }
   // How far from the phase, in [0, pi], the value is taken; the nearest end where it is not.
-  double from_phase(double value) const { return std::acos(std::fmin(std::fmax((value - middle) / size, -1.0), 1.0)); }
+  Turn from_phase(double value) const {
+    const double cosine = std::fmin(std::fmax((value - middle) / size, -1.0), 1.0);
+    return {std::acos(cosine), cosine, std::sqrt((1 - cosine) * (1 + cosine))};
+  }
 };
 
 struct FourBar {
@@ -53,9 +74,11 @@ struct FourBar {
   // The four angles that a leading angle asks for, rad from the solution; false where it cannot go there. `way`: 1 or -1, on which
   // side of its phase the opposite angle is.
   bool turned(int lead, double angle, double way, double* out) const {
+    const Turn led(angle);
     const Harmonic &mine = side[lead][0], &other = side[lead][1];
-    const double value = mine.at(angle);
-    closed(lead, angle, other.phase + way * other.from_phase(value), out);
+    const double value = mine.at(led);
+    const Turn off = other.from_phase(value);
+    closed(lead, led, other.at_phase + (way < 0 ? -off : off), out);
     return std::fabs(value - other.middle) <= other.size * (1 + kDeadCentre);
   }
 
@@ -69,9 +92,10 @@ struct FourBar {
     const double from_low = alike ? 2 * mine.size / other.size * std::fabs(std::sin(gone / 2) * std::sin(left / 2))
                                   : beyond(lead, low, gone),
                  from_high = alike ? 2 - from_low : beyond(lead, high, -left);
-    const double turn = 2 * std::atan2(std::sqrt(from_low), std::sqrt(std::fmax(from_high, 0.0))),
-                 across = above ? turn : kPi - turn;
-    closed(lead, low + gone, other.phase + (u - std::floor(u) < 0.5 ? across : -across), out);
+    const double one = std::sqrt(from_low), two = std::sqrt(std::fmax(from_high, 0.0)), turn = 2 * std::atan2(one, two),
+                 whole = one * one + two * two, cos = (two * two - one * one) / whole, sin = 2 * one * two / whole;
+    const Turn across = above ? Turn(turn, cos, sin) : Turn(kPi - turn, -cos, sin);
+    closed(lead, Turn(low + gone), other.at_phase + (u - std::floor(u) < 0.5 ? across : -across), out);
   }
   // u of angles on that way.
   double place_back(int lead, double low, double high, double angle, double across) const {
@@ -109,13 +133,17 @@ struct FourBar {
 
   // The four angles that those of the leading joint and of the one opposite leave.
   void closed(int lead, double angle, double across, double* out) const {
+    closed(lead, Turn(angle), Turn(across), out);
+  }
+  void closed(int lead, const Turn& angle, const Turn& across, double* out) const {
     const int i1 = lead, i2 = (lead + 1) % 4, i3 = (lead + 2) % 4, i4 = (lead + 3) % 4;
-    out[i1] = angle, out[i3] = across;
+    out[i1] = angle.angle, out[i3] = across.angle;
     if (flat) {
-      const Complex ends = spot[i1] + std::polar(1.0, -sense[i1] * angle) * (spot[i4] - spot[i1]) - spot[i2];
-      const Complex starts = spot[i3] + std::polar(1.0, sense[i3] * across) * (spot[i4] - spot[i3]) - spot[i2];
-      out[i2] = sense[i2] * std::arg(ends * std::conj(starts));
-      out[i4] = -sense[i4] * (sense[i1] * angle + sense[i2] * out[i2] + sense[i3] * across);
+      const Complex ends = spot[i1] + times(angle.round(-sense[i1]), spot[i4] - spot[i1]) - spot[i2];
+      const Complex starts = spot[i3] + times(across.round(sense[i3]), spot[i4] - spot[i3]) - spot[i2];
+      const Complex turned = times(ends, std::conj(starts));
+      out[i2] = sense[i2] * std::atan2(turned.imag(), turned.real());
+      out[i4] = -sense[i4] * (sense[i1] * out[i1] + sense[i2] * out[i2] + sense[i3] * out[i3]);
     } else {
       out[i2] = about(axis[i2], rotated(axis[i3], across, axis[i4]), rotated(axis[i1], -angle, axis[i4]));
       out[i4] = about(axis[i4], rotated(axis[i1], angle, axis[i2]), rotated(axis[i3], -across, axis[i2]));
@@ -132,9 +160,13 @@ struct FourBar {
     const Harmonic& mine = side[lead][0];
     return 2 * mine.size / side[lead][1].size * std::fabs(std::sin(gone / 2) * std::sin(end + gone / 2 - mine.phase));
   }
-  static Vec3 rotated(Vec3 about, double angle, Vec3 v) {
+  // Complex multiplication without the care for infinities that the standard asks for.
+  static Complex times(Complex a, Complex b) {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+  }
+  static Vec3 rotated(Vec3 about, const Turn& by, Vec3 v) {
     const Vec3 along = dot(about, v) * about;
-    return along + std::cos(angle) * (v - along) + std::sin(angle) * cross(about, v);
+    return along + by.cosine * (v - along) + by.sine * cross(about, v);
   }
   // The angle about an axis that turns start to end.
   static double about(Vec3 axis, Vec3 start, Vec3 end) {

@@ -273,16 +273,25 @@ struct LinkageSelfMotion {
       int steps, best;
       double u(int k) const { return k + 1 == steps ? to : from + k * ((to - from) / (steps - 1)); }
     } best{0, 1, kLinkageSamples, 0};
-    double at[6];
+    double at[6], still = 0;
+    bool moves[6] = {};
+    for (int joint : bar.joint) moves[joint] = true;
+    for (int i = 0; i < kSix; ++i) {
+      if (moves[i]) continue;
+      q[i] = arm.slides[i] ? through[i] : unwound(through[i], 0, limits.lower[i], limits.upper[i]);
+      still += q[i] * q[i];
+    }
     auto offer = [&](const Steps& along, int k) {
       point(along.u(k), at);
-      double square = 0;
-      for (int i = 0; i < kSix; ++i) {
-        if (!arm.slides[i]) at[i] = unwound(at[i], 0, limits.lower[i], limits.upper[i]);
-        square += at[i] * at[i];
+      double square = still;
+      for (int joint : bar.joint) {
+        at[joint] = unwound(at[joint], 0, limits.lower[joint], limits.upper[joint]);
+        square += at[joint] * at[joint];
       }
       const double now = std::nearbyint(std::sqrt(square) * 1e6);  // rounding makes equal costs unequal: a coarse key
-      if (now < cost) cost = now, best = along, best.best = k, std::copy(at, at + kSix, q);
+      if (!(now < cost)) return;
+      cost = now, best = along, best.best = k;
+      for (int joint : bar.joint) q[joint] = at[joint];
     };
     auto spread = [&](const Steps& along) {
       const int stride = along.steps > 2 * kLinkageStride ? kLinkageStride : 1;

@@ -122,6 +122,29 @@ def test_weights_are_of_metres_and_of_radians(name, weights):
         assert 2 * found.cost > own - 1e-8 * max(own, 1.0)
 
 
+@pytest.mark.parametrize("weights", [(1.0, 1.0), (1.0, 0.2), (0.1, 1.0)])
+@pytest.mark.parametrize("name", ["so-101", "ufactory-xarm5", "universal-robots-ur5e"])
+def test_weights_of_a_task_that_leaves_the_roll_free(name, weights):
+    """The chain that is moved then has a joint more, and another length, than the arm: a radian counts as much."""
+    arm = pieper.load(name)
+    T = arm.fk(np.full(arm.n, 0.3))
+    T[:3, 3] += 0.3
+    near = arm.closest(T, task="position+axis", weights=weights)
+
+    def cost(q):
+        now = arm.fk(q)
+        turn = np.arctan2(np.linalg.norm(np.cross(now[:3, 2], T[:3, 2])), now[:3, 2] @ T[:3, 2])
+        return np.sum((weights[0] * (now[:3, 3] - T[:3, 3])) ** 2) + (weights[1] * turn) ** 2
+
+    own = cost(near.q)
+    assert own == pytest.approx((weights[0] * near.metres) ** 2 + (weights[1] * near.radians) ** 2, abs=1e-12)
+    low, high = arm.limits.T
+    rng = np.random.default_rng(1)
+    for start in [near.q, *rng.uniform(low, high, (3, arm.n))]:
+        found = minimize(cost, np.clip(start, low, high), bounds=list(zip(low, high, strict=True)), tol=1e-12)
+        assert found.fun > own - 1e-7 * max(own, 1.0)
+
+
 @pytest.mark.parametrize("weights", [(1.0,), (0.0, 0.0), (-1.0, 1.0), (np.nan, 1.0), "near"])
 def test_weights_that_say_nothing_are_refused(weights):
     with pytest.raises(pieper.InputError, match="weights"):

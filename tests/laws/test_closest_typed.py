@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from math import pi
+from typing import Any
 
 import numpy as np
 import pytest
 
-from pieper import DH, Arm
+from pieper import DH, Arm, load
 from pieper.kinematics.pose import pose_error
 
 ARMS = {
@@ -53,6 +54,37 @@ def test_the_posture_that_rounding_took_beyond_its_limit_is_told():
     assert "7 decimals" in sols.why and "180 deg" not in sols.why
 
 
+@pytest.mark.parametrize("name", ARMS)
+def test_why_tells_what_rounding_explains_and_no_more(name: str):
+    """A pose that was made and typed is explained by its decimals; one that is ten times them away is not."""
+    arm, rng = arm_of(name), np.random.default_rng(2)
+    told = tried = 0
+    for digits in (8, 7, 6):
+        for _ in range(12):
+            T = np.round(arm.fk(rng.uniform(-2.5, 2.5, arm.n)), digits)
+            sols = arm.ik(T, task="pose")
+            if len(sols):
+                continue
+            tried += 1
+            told += f"Rounding explains it: the position has {digits} decimals" in sols.why
+            off = T.copy()
+            off[:3, 3] += np.round(rng.choice([-1, 1], 3) * 40 * 10.0**-digits, digits)
+            both = arm.closest(off, task="pose", weights=(1, 1))
+            if max(both.metres, both.radians) > 2 * 10.0**-digits:
+                assert "Rounding explains" not in arm.ik(off, task="pose").why
+    assert told >= 0.95 * tried > 20
+
+
+@pytest.mark.parametrize("digits", [8, 7, 6])
+def test_the_posture_in_a_corner_of_its_limits_is_told(digits: int):
+    """Three joints at their stops: descents end beside them, but what almost solves the pose is where they begin."""
+    arm = load("interbotix-viperx-300")
+    q = np.array([3.0, *arm.limits[1:4, 0], -3.0])
+    near = arm.ik(np.round(arm.fk(q), digits), task="pose").closest
+    assert np.abs(near.q - q).max() < 1e2 * 10.0**-digits
+    assert near.metres < 10.0**-digits and near.radians < 1e2 * 10.0**-digits
+
+
 def test_a_position_that_was_meant_is_met_first():
     """Full digits, and few that no rounding explains: the place is met to rounding whatever the turn costs."""
     arm = arm_of("4R palletizer")
@@ -71,3 +103,26 @@ def test_weights_find_the_posture_that_made_a_pose():
     for radian in (0.1, 1.0, 10.0):
         near = arm.closest(np.round(arm.fk(q), 6), task="pose", weights=(1.0, radian))
         assert near.metres < 2e-6 and near.radians < 2e-6
+
+
+COUPLED = [[1, 0, 0], [0, 1, 0], [0, -1, 1]]
+
+
+@pytest.mark.parametrize("name", ["dobot-mg400", "dobot-magician", "kuka-kr120-r3200-pa", "coupled 3R"])
+def test_the_closest_posture_of_coupled_and_linked_arms(name: str):
+    """Their axes are solved, not their joints: out of reach, and where decimals alone take a pose away."""
+    arm = load(name) if name != "coupled 3R" else Arm.from_dh(
+        [DH(0.2, pi / 2, 0.1), DH(0.3), DH(0.25)], convention="standard", limits=[(-2, 2)] * 3, coupling=COUPLED
+    )  # fmt: skip
+    tasks = [None] if name != "coupled 3R" else ["pose", "position+axis", "position"]
+    q = arm.limits @ (0.6, 0.4)
+    for task in tasks:
+        how: dict[str, Any] = {} if task is None else {"task": task}
+        away = arm.fk(q)
+        away[:3, 3] *= 3
+        sols = arm.ik(away, **how)
+        near = sols.closest
+        assert "misses it by" in sols.why and near.metres > 0.1
+        assert ((near.q >= arm.limits[:, 0]) & (near.q <= arm.limits[:, 1])).all()
+        near = arm.closest(np.round(arm.fk(q), 6), **how)
+        assert near.metres < 2e-6 and near.radians < 1e-5

@@ -74,6 +74,18 @@ def test_of_a_redundant_arm_no_slice_holds_a_nearer_row(name, weights):
             assert least <= away(arm, rows, now, weights).min() + 1e-9
 
 
+@pytest.mark.parametrize("common", [1e-300, 1e-20, 1e-8, 1e20, 1e307])
+@pytest.mark.parametrize("name", ["denso-vp6242", "franka-panda"])
+def test_only_the_ratios_of_weights_count(name, common):
+    arm = pieper.load(name)
+    middle = arm.limits.mean(1)
+    sols = arm.ik(arm.fk(middle + 0.4))
+    now, weights = middle + 0.2, np.arange(1.0, arm.n + 1)
+    one, other = sols.nearest(now, weights), sols.nearest(now, weights * common)
+    assert np.abs(one - other).max() < 1e-7
+    assert np.abs(arm.fk(other) - arm.fk(one)).max() < 1e-12
+
+
 @pytest.mark.parametrize(
     "weights", [(1, 1), (1, 1, 1, 1, 1, -1), (0,) * 6, (1, 1, 1, 1, 1, np.nan), "heavy", np.ones((2, 6))]
 )

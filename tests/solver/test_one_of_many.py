@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from typing import Any
 
 import numpy as np
 import pytest
@@ -92,6 +93,20 @@ def test_of_a_list_of_poses_it_is_told_which_is_none(what: object, said: str, at
     assert np.array_equal(many.q[others], ARM.ik_many(TS[:2]).q)
     assert list(many[::-1].reasons) == [2 - at] and many[others].reasons == {}
     assert pickle.loads(pickle.dumps(many)).reasons == many.reasons
+
+
+@pytest.mark.parametrize("given", [[None], [None, "x"], [np.zeros((3, 3))] * 2, [[]], ({},), [[1, 2, 3]] * 2])
+def test_a_list_in_which_nothing_is_a_pose_is_marked(given: Any):
+    many = ARM.ik_many(given, invalid="mark")
+    assert (many.status == Status.INVALID).all() and list(many.reasons) == list(range(len(given)))
+    with pytest.raises(InputError, match="Ts"):
+        ARM.ik_many(given)
+
+
+@pytest.mark.parametrize("given", [[1.0, 2.0, 3.0], np.eye(4).tolist(), np.zeros((2, 3, 3)), None, "x", {}])
+def test_what_is_no_list_of_poses_is_refused_as_a_whole(given: Any):
+    with pytest.raises(InputError, match="Ts"):
+        ARM.ik_many(given, invalid="mark")
 
 
 @pytest.mark.parametrize("name", ["franka-panda", "denso-vp6242", "three-r"])

@@ -165,11 +165,12 @@ inline void offer(const TrueChain& chain, const Rigid& T, const double* candidat
   for (int i = 0; i < n; ++i)
     if (!chain.slides[i]) q[i] = one_turn(q[i]);
   const bool singular = is_singular(n, J);
+  static_assert(kClosedSame < kClosedValley);
   for (int s = 0; s < found.count; ++s) {
     double apart = 0, middle[kMaxJoints];
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < n && apart < kClosedValley; ++i) {
       double d = q[i] - found.q[s * n + i];
-      if (!chain.slides[i]) d = std::remainder(d, 2 * kPi);
+      if (!chain.slides[i]) d -= kTwoPi * std::nearbyint(d / kTwoPi);
       middle[i] = q[i] - 0.5 * d;
       apart = std::fmax(apart, std::fabs(d));
     }

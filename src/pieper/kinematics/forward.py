@@ -55,7 +55,8 @@ def checked_weights(weights: ArrayLike | None, n: int) -> Array:
         raise InputError(
             f"weights must be finite, none negative and not all of them zero, got {numbers.tolist()}.", given=weights
         )
-    return numbers
+    # only their ratios count: by a power of two the digits stay, and no square of them is beyond what numbers can be
+    return np.ldexp(numbers, -int(np.frexp(numbers.max())[1]))
 
 
 def _look_closer(joints: np.ndarray, what: str, prismatic: np.ndarray | None) -> None:

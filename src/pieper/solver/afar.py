@@ -8,6 +8,7 @@ as such.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -26,7 +27,7 @@ from pieper.tolerances import FAR_OUT
 
 def one_from_afar(plan: Plan, T: Array, solve: Callable[[Plan, Array], Solutions]) -> tuple[Solutions, ...]:
     """Return what there is at a marked pose (4, 4), or one without rows, that is far away; nothing where it is near."""
-    if not _goes_far(plan):
+    if not goes_far(plan) or _clearly_near(plan, T):
         return ()
     other = _seen_from(plan, float(_decades(plan, T[None])[0]))
     return () if other is None else (solve(other, T).told_by(plan),)
@@ -41,7 +42,7 @@ def rows_from_afar(
         (N,) which poses are near, and as they were.
     """
     near = np.ones(len(poses), bool)
-    if not _goes_far(plan):
+    if not goes_far(plan):
         return near
     asked = np.flatnonzero(((rows.flags & DOUBTS) > 0) | ~rows.valid.any(1))
     decades = _decades(plan, poses[asked])
@@ -61,10 +62,17 @@ def rows_from_afar(
     return near
 
 
-def _goes_far(plan: Plan) -> bool:
+def goes_far(plan: Plan) -> bool:
     """Whether a plan's poses may lie any distance away: its six joints are the arm's own, and one of them slides."""
     sliding = bool(plan.chain.prismatic.any()) and not plan.chain.scale
     return sliding and plan.reduction.trivial and plan.uncoupled is None
+
+
+def _clearly_near(plan: Plan, T: Array) -> bool:
+    """Whether a pose is near wherever base and tool stand: in few microseconds, of which most calls take no more."""
+    links = plan.chain.links
+    ends = math.dist((0, 0, 0), links[0, :3, 3]) + math.dist((0, 0, 0), links[-1, :3, 3])
+    return math.dist((0, 0, 0), T[:3, 3]) + ends <= FAR_OUT * plan.chain.length
 
 
 def _decades(plan: Plan, T: Array) -> Array:

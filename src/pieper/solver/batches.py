@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+import numbers
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +15,7 @@ from pieper import _kernel, arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Indices
 from pieper.kinematics.forward import checked_joints, checked_weights
-from pieper.kinematics.pose import PoseLike, as_pose, one_by_one, reason_against, unsound
+from pieper.kinematics.pose import PoseLike, as_pose, reason_against, unsound
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.coupled_selection import CoupledSelection, RowSelection
 from pieper.solver.plan.plan import Plan
@@ -145,6 +146,8 @@ def without_refused(Ts: PoseLike) -> tuple[Array, Refused | None]:
         if np.iscomplexobj(given):
             raise TypeError
         poses = np.ascontiguousarray(given, dtype=np.float64)
+        if poses.shape[1:] != (4, 4) and _items(Ts):
+            raise TypeError
     except (TypeError, ValueError):
         poses, told = _one_by_one(Ts)
     if poses.shape == (0,):
@@ -160,11 +163,24 @@ def without_refused(Ts: PoseLike) -> tuple[Array, Refused | None]:
     return poses, refused
 
 
+def _items(given: Any) -> list[Any] | None:
+    """Return what is in a list that is meant for one of poses; None of one of numbers, and of the rows of one pose."""
+    if not isinstance(given, (list, tuple)) or not given:
+        return None
+    items: list[Any] = list(given)  # pyright: ignore[reportUnknownArgumentType]  # anything at all
+    try:
+        one = np.shape(items) == (4, 4)
+    except (TypeError, ValueError):
+        one = False  # ragged
+    return None if one or all(isinstance(item, numbers.Number) for item in items) else items
+
+
 def _one_by_one(Ts: PoseLike) -> tuple[Array, dict[int, str]]:
     """Return the poses (N, 4, 4) of a list, not finite where something is no matrix, and what is to be said of that."""
-    given = one_by_one(Ts)
-    if given is None:
+    items = _items(Ts)
+    if items is None:
         raise InputError(f"Ts must be real numbers of shape (N, 4, 4), got {arguments.kind_of(Ts)}.", given=Ts)
+    given = [as_pose(item) for item in items]
     told: dict[int, str] = {}
     poses = np.full((len(given), 4, 4), np.nan)
     for k, pose in enumerate(given):

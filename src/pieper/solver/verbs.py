@@ -14,7 +14,7 @@ from pieper import arguments
 from pieper.errors import InputError
 from pieper.kinematics.arrays import Array, ArrayLike, Bits, Bools, Slots
 from pieper.kinematics.pose import PoseLike, as_pose, checked_pose, is_exact
-from pieper.solver.afar import one_from_afar, rows_from_afar
+from pieper.solver.afar import goes_far, one_from_afar, rows_from_afar
 from pieper.solver.batch import SolutionBatch
 from pieper.solver.batches import (
     BLOCK,
@@ -30,7 +30,7 @@ from pieper.solver.batches import (
     tell,
     without_refused,
 )
-from pieper.solver.beyond import DOUBTS, beyond, refuse_too_far, too_far, without_doubt
+from pieper.solver.beyond import DOUBTS, beyond, refuse_too_far, too_far, without_denied, without_doubt
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.at_values import rows_at_choice
 from pieper.solver.redundant.choice import ARM_ANGLE, Choice, Redundancy, choice, nothing_chosen
@@ -162,6 +162,8 @@ def _into(
     plan.solver.into(poses, threads, rows.q, rows.valid, rows.inside, rows.flags, outcome, *by, told)
     np.take(_PLAIN, outcome, out=into.status, mode="clip")
     unclear = np.flatnonzero(rows.flags | (outcome == 0))
+    if not goes_far(plan):
+        unclear = without_denied(poses, rows.flags, unclear)
     if not len(unclear):
         return
     if len(unclear) < len(poses):

@@ -146,7 +146,7 @@ def _is_same(line: SelfMotion, point: Array, way: Array) -> bool:
 
 def _once_round(plan: Plan, T: Array, point: Array, way: Array) -> SelfMotion:
     """Return the line (n,) through a point along which two joints turn against one another, once round."""
-    long = TURN * np.sqrt(2.0)
+    long = float(TURN * np.sqrt(2.0))
     gone = np.linspace(0.0, long, int(np.ceil(long / CURVE_STEP)) + 1)
     samples = np.asarray(point + np.multiply.outer(gone, way), np.float64)
     dimension = dimension_of(plan.exact.full, T, samples)

@@ -15,6 +15,7 @@ from pieper.kinematics.bounded import as_axes, by_axes, nearer
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.forward import fk
 from pieper.kinematics.newton import pose_difference, scaled_jacobian, settled, shortest
+from pieper.solver.kernel_rows import kernel_rows
 from pieper.solver.plan.plan import Plan
 from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.results import Closest, Solutions
@@ -96,11 +97,11 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     if plan not in _LOOKED_AT:
         _LOOKED_AT[plan] = _looked_at(chain, limits)
     hill = _Hill(chain, limits, T, *_LOOKED_AT[plan])
-    given = np.zeros((0 if seeds is None else len(seeds), chain.n))
-    if seeds is not None:
-        given[:, : plan.n] = seeds
+    seeds = np.vstack([_almost(plan, T), np.zeros((0, plan.n)) if seeds is None else seeds])
+    given = np.zeros((len(seeds), chain.n))
+    given[:, : plan.n] = seeds
     if weights is not None:
-        by = _weighed(plan, weights)
+        by = _weighed(weights, chain.length, turning)
         start = np.vstack([hill.starts(by), given])
         q = hill.in_radians(start, by)
         q = q[np.argmin(_cost(*hill.distances(q), by))][None]
@@ -119,6 +120,22 @@ def closest(plan: Plan, T: Array, *, weights: ArrayLike | None = None, seeds: Ar
     own = q[_nearest_of(value, angle, typed(T)[1] / chain.length) if turning else np.argmin(value), : plan.n]
     miss = plan.residual(own, T)
     return Closest(own, float(miss[0]), float(miss[1]), fk(plan.chain, own))
+
+
+def _almost(plan: Plan, T: Array) -> Array:
+    """Return postures (k, n) inside the limits from which a short arm misses the pose by little, as by typed decimals.
+
+    It is solved as an arm of six joints, of which those that it has not must stay at zero: here nearly. Of coupled
+    joints the axes are solved so.
+    """
+    solved = plan if plan.uncoupled is None else plan.uncoupled
+    if not solved.reduction.fill or solved.redundancy:
+        return np.zeros((0, plan.n))
+    found = kernel_rows(solved, T[None], np.zeros((1, 0)), 1)
+    q = found.q[found.valid][:, : solved.n]
+    if plan.uncoupled is not None:
+        q = plan.chain.joints.wrapped(plan.chain.numbers(q))
+    return np.clip(plan.chain.joints.inside_limits(q, plan.limits)[0], plan.limits[:, 0], plan.limits[:, 1])
 
 
 def typed(T: Array) -> tuple[int, float]:
@@ -143,8 +160,8 @@ def _nearest_of(value: Array, angle: Array, open_by: float = 0.0) -> int:
     return int(np.argmin(np.where(worth, angle, np.inf))) if worth.any() else nearest
 
 
-def _weighed(plan: Plan, weights: ArrayLike) -> float:
-    """Return what a turn counts beside a length of the arm; infinite for turns alone."""
+def _weighed(weights: ArrayLike, length: float, turning: bool) -> float:
+    """Return what a turn counts beside the length of the chain that is moved; infinite for turns alone."""
     try:
         given = np.asarray(weights, float)
     except (TypeError, ValueError):
@@ -155,7 +172,7 @@ def _weighed(plan: Plan, weights: ArrayLike) -> float:
             f"{arguments.kind_of(weights)}.",
             given=weights,
         )
-    metre, radian = float(given[0]) * plan.chain.length, float(given[1]) * (plan.task != "position")
+    metre, radian = float(given[0]) * length, float(given[1]) * turning
     return (radian / metre) ** 2 if metre else np.inf
 
 

@@ -10,8 +10,8 @@ from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status
 from pieper.solver.rows import Flag
 from pieper.solver.singular.self_motion import SelfMotion
-from pieper.solver.words.closest import typed
-from pieper.tolerances import ARM_ANGLE_POLE, CLOSES, MOST_OPEN, TOLD_AS_TURN
+from pieper.solver.words.closest import closest, typed
+from pieper.tolerances import ARM_ANGLE_POLE, CLOSES, MOST_OPEN, TOLD_AS_TURN, TURN_FOR_PLACE
 from pieper.words_by_number import plural
 
 #: From here on (m) a slide's miss is said in metres.
@@ -105,16 +105,30 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
         plan.task
     ]
     turned = f"{np.degrees(radians):.3g} deg"
-    digits, open_by = typed(sols.T)
-    # a matrix that is typed has as many decimals in its turn as in its place
-    rounded = f" Rounding explains it: the position has {plural(digits, 'decimal')}, in metres."
-    explained = rounded if max(metres, radians) <= min(open_by, MOST_OPEN * plan.chain.length) else ""
+    explained = _by_rounding(plan, sols)
     if by_turn and way <= min(TOLD_AS_TURN, radians):
         missing = f"at best {turned} are missing.{linkage}{explained}"
         return f"{what} is out of reach: the arm gets there, but not turned this way; {missing}"
     also = f" and {turned}" if by_turn else ""
     missing = f"misses it by {metres * 1e3:.4g} mm{also}.{linkage}{explained}"
     return f"{what} is out of reach: the nearest one the arm can take {missing}"
+
+
+def _by_rounding(plan: Plan, sols: Solutions) -> str:
+    """Return, a sentence, that a pose of the arm has the decimals that were typed, where one has.
+
+    A matrix that is typed has as many decimals in its turn as in its place. The posture that comes nearest meets the
+    place first, and what that costs of the turn may be more: so the posture is asked for that misses both by little.
+    """
+    near, (digits, open_by) = sols.closest, typed(sols.T)
+    open_by = min(open_by, MOST_OPEN * plan.chain.length)
+    missed = max(near.metres, near.radians)
+    if open_by < missed < TURN_FOR_PLACE * open_by:
+        both = closest(plan, sols.T, weights=(1.0, 1.0), seeds=near.q[None])
+        missed = max(both.metres, both.radians)
+    if missed > open_by:
+        return ""
+    return f" Rounding explains it: the position has {plural(digits, 'decimal')}, in metres."
 
 
 def _by_linkage(plan: Plan) -> str:
