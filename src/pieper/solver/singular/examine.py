@@ -27,7 +27,7 @@ from pieper.solver.singular.line_of_slides import SlideLine
 from pieper.solver.singular.meetings import meetings, put_in_line
 from pieper.solver.singular.merged_roots import all_into_limits, distinct_roots, merged_root
 from pieper.solver.singular.self_motion import SelfMotion
-from pieper.solver.singular.trace import MOST_STEPS, crossings, dimension_of, second_smallest, step_along, trace
+from pieper.solver.singular.trace import MOST_STEPS, crossings, dimension_of, second_smallest, steps_along, trace
 from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import (
     APART_SINGULAR,
@@ -240,8 +240,7 @@ def _grow(curves: _Curves, q: Array) -> bool:
     waiting = [q]
     while waiting and len(curves.closed) < MOST_MOTIONS:
         point = waiting.pop()
-        for direction in _directions(chain, point):
-            further = step_along(chain, point, T, direction, PROBE)
+        for further in steps_along(chain, point, T, _directions(chain, point), PROBE):
             if further is None:
                 continue
             if curves.on_line(further):
@@ -328,17 +327,16 @@ def _line(curves: _Curves, point: Array, further: Array, steps: int = LINE_STEPS
     )
 
 
-def _directions(chain: Chain, q: Array) -> list[Array]:
-    """Return directions in which a pose might be held at q; where two vanish at once, a fan of their mixtures."""
+def _directions(chain: Chain, q: Array) -> Array:
+    """Return directions (k, n) in which a pose might be held at q; where two vanish at once, a fan of mixtures too."""
     s, Vt = null_space(chain, q)
     # near a crossing the second direction is only nearly free, and the curve's own tangent may be it
     null = Vt[s <= max(NEARLY_SINGULAR * s[0], TINY)]
     if len(null) < 2:
-        return list(null)
-    angles = np.arange(FAN) * np.pi / FAN
-    fan = [np.cos(t) * null[0] + np.sin(t) * null[1] for t in angles]
+        return null
     # a curve's own tangent at a crossing is found by Newton from the nearest of the fan
-    return [*null, *fan]
+    angles = np.arange(FAN) * np.pi / FAN
+    return np.concatenate([null, np.outer(np.cos(angles), null[0]) + np.outer(np.sin(angles), null[1])])
 
 
 @lru_cache(maxsize=8)
