@@ -228,7 +228,7 @@ def newton_and_miss(chain: Chain, q: Array, T: Array, steps: int) -> tuple[Array
 def newton_on_planes(
     chain: Chain, q: Array, T: Array, directions: Array, *, holds: float, steps: int = 12
 ) -> tuple[Array, Bools]:
-    """Pull q (k, n) onto the pose T within the planes across directions (k, n); return them and which get there (k,)."""
+    """Pull q (k, n) onto the pose T within planes across directions (k, n); return them and which got there (k,)."""
     q = q.copy()
     e = pose_difference(chain, q, T)
     active = np.arange(len(q))
