@@ -22,6 +22,16 @@ constexpr double kAlong = 0.9;   // if it comes home along itself and not across
 constexpr double kBeside = 0.3;  // of a step: so far beside it a curve's beginning may be passed by that step,
 constexpr double kPast = 1.1;    // and so far ahead
 
+// On which side of others a curve of seven joints is: the signs of the pivots when the Jacobian with the curve's way
+// beneath is eliminated from its largest entries on, and their order. One curve keeps them, and the determinant's sign
+// with them. What goes straight on where curves cross changes the last; where two directions weaken at once, as with
+// shoulder and wrist all but in line, it changes the last two, and the determinant's sign is the same.
+struct Sides {
+  int row[7], entry[7];
+  bool negative[7];
+  bool known = false;  // not where another direction is free
+};
+
 struct Follower : Posture {
   Rigid goal;
   SingularRows rows;
@@ -88,35 +98,58 @@ struct Follower : Posture {
     else std::copy(travel, travel + n, out);
   }
 
-  // On which side of a crossing the curve is that goes along `along` where the arm stands: of seven joints the sign of the
-  // determinant of the Jacobian with it beneath, which one curve keeps and what goes straight on at a crossing changes. Zero
-  // where another direction is free.
-  int side(const double* along) {
-    if (!one_free()) return 0;
-    double A[7][7];
+  // The Jacobian with the way `along` beneath, a joint a row, where the arm stands.
+  void with_beneath(const double* along, double A[7][7]) const {
     for (int k = 0; k < 7; ++k) {
       double moved[6];
       column(k, moved);
       for (int i = 0; i < 6; ++i) A[k][i] = moved[i];
       A[k][6] = along[k];
     }
-    int sign = 1;
-    double most = 0, least = INFINITY;
+  }
+
+  // On which side of others the curve is that goes along `along` where the arm stands.
+  Sides sides(const double* along) const {
+    Sides out;
+    if (!one_free()) return out;
+    double A[7][7];
+    with_beneath(along, A);
+    double most = 0;
+    for (int i = 0; i < 7; ++i) out.row[i] = out.entry[i] = i;
     for (int i = 0; i < 7; ++i) {
-      int pivot = i;
-      for (int j = i + 1; j < 7; ++j)
-        if (std::fabs(A[j][i]) > std::fabs(A[pivot][i])) pivot = j;
-      const double size = std::fabs(A[pivot][i]);
-      most = std::fmax(most, size), least = std::fmin(least, size);
-      if (!(least > kFollowNone * most)) return 0;
-      if (pivot != i) std::swap(A[pivot], A[i]), sign = -sign;
-      if (A[i][i] < 0) sign = -sign;
-      for (int j = i + 1; j < 7; ++j) {
-        const double part = A[j][i] / A[i][i];
-        for (int k = i; k < 7; ++k) A[j][k] -= part * A[i][k];
-      }
+      int row = i, entry = i;
+      for (int j = i; j < 7; ++j)
+        for (int k = i; k < 7; ++k)
+          if (std::fabs(A[j][k]) > std::fabs(A[row][entry])) row = j, entry = k;
+      most = std::fmax(most, std::fabs(A[row][entry]));
+      if (!(std::fabs(A[row][entry]) > kFollowNone * most)) return out;
+      std::swap(A[row], A[i]), std::swap(out.row[row], out.row[i]), std::swap(out.entry[entry], out.entry[i]);
+      for (int j = 0; j < 7; ++j) std::swap(A[j][entry], A[j][i]);
+      out.negative[i] = A[i][i] < 0;
+      eliminate(A, i);
     }
-    return sign;
+    out.known = true;
+    return out;
+  }
+
+  // Whether the curve that goes along `along` where the arm stands is on the sides that one had a step before.
+  bool keeps(const Sides& before, const double* along) const {
+    double whole[7][7], A[7][7];
+    with_beneath(along, whole);
+    for (int j = 0; j < 7; ++j)
+      for (int k = 0; k < 7; ++k) A[j][k] = whole[before.row[j]][before.entry[k]];
+    for (int i = 0; i < 7; ++i) {
+      if (!(before.negative[i] ? A[i][i] < 0 : A[i][i] > 0)) return false;
+      eliminate(A, i);
+    }
+    return true;
+  }
+
+  static void eliminate(double A[7][7], int i) {
+    for (int j = i + 1; j < 7; ++j) {
+      const double part = A[j][i] / A[i][i];
+      for (int k = i; k < 7; ++k) A[j][k] -= part * A[i][k];
+    }
   }
 
   double way(double to, double from, int k) const {
@@ -124,8 +157,9 @@ struct Follower : Posture {
     return slides[k] ? gap : gap - kTwoPi * std::floor((gap + kPi) / kTwoPi);
   }
 
-  // Whether the curve that goes along `along` from `here` to `ahead` passes its beginning `first` on the way.
-  bool passes(const double* here, const double* ahead, const double* along, const double* first) {
+  // Whether the curve that goes along `along` from `here` to `ahead` passes its beginning `first` on the way. `sides` are
+  // those on which it is here.
+  bool passes(const double* here, const double* ahead, const double* along, const double* first, const Sides& sides) {
     std::vector<double> gap(n), on(here, here + n);
     double went = 0;
     for (int k = 0; k < n; ++k) gap[k] = way(first[k], here[k], k), went += (ahead[k] - here[k]) * along[k];
@@ -142,7 +176,7 @@ struct Follower : Posture {
     double off = 0;
     for (int k = 0; k < n; ++k) off += (there[k] - on[k]) * along[k];
     for (int k = 0; k < n; ++k) on[k] += off * along[k];
-    if (!onto(on.data(), along)) return false;
+    if (!onto(on.data(), along) || (sides.known && !keeps(sides, along))) return false;
     double size = 0;
     for (int k = 0; k < n; ++k) size += (on[k] - there[k]) * (on[k] - there[k]);
     return std::sqrt(size) < kFollowSame;
@@ -172,7 +206,7 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
   const double shortest = one_free ? kFollowFinest : kFollowShortest;
   double step = how.step / 2, gone = 0;
   double weakest = arm.tangent(first.data(), direction, next.data());
-  int side = arm.side(direction);
+  Sides sides = arm.sides(direction);
   bool crossing = false;  // here so near to where curves cross that rounding hides which way this one goes
   for (int count = 1; count < how.most_steps;) {
     for (int k = 0; k < n; ++k) ahead[k] = here[k] + step * along[k];
@@ -181,14 +215,14 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
     const double went = size_of(move.data(), n);
     good = good && dot_of(move.data(), along.data(), n) > how.straight * went;
     double turned = 1, there = 0, bend = 0;
-    int now = 0;
+    Sides now;
     bool hidden = false, across = false;
     if (good) {
       there = arm.tangent(ahead.data(), along.data(), next.data());
       if (one_free) {
         turned = dot_of(next.data(), along.data(), n);
-        now = arm.side(next.data());
-        across = !crossing && now * side < 0;
+        now = arm.sides(next.data());
+        across = !crossing && now.known && sides.known && !arm.keeps(sides, next.data());
         // the weakest direction fades and grows in proportion to the way to a crossing, and rounding blurs the points there
         bend = (across ? there + weakest : std::fabs(there - weakest)) / went;
         hidden = there * there < kFollowBlur * bend;
@@ -208,7 +242,8 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
     gone += went;
     keep(ahead), ++count;
     if (one_free) {
-      if (count > 3 && arm.passes(here.data(), ahead.data(), along.data(), first.data())) return close();
+      const Sides on = crossing ? Sides() : sides;
+      if (count > 3 && arm.passes(here.data(), ahead.data(), along.data(), first.data(), on)) return close();
     } else {
       for (int k = 0; k < n; ++k) move[k] = arm.way(ahead[k], first[k], k);
       const double size = size_of(move.data(), n);
@@ -222,7 +257,7 @@ bool follow_curve(const PlainChain& chain, const double* T, const double* q, con
       continue;
     }
     weakest = there;
-    if (now) side = now;
+    if (now.known) sides = now;
     step = std::fmin(how.step, step * (one_free && turned > kFollowStraight ? kLeap : kGrow));
   }
   return false;

@@ -1,4 +1,4 @@
-"""Law of arms that are nearly special, solved as the special one: where that is singular nothing of theirs is missing."""
+"""Law of nearly special arms, solved as the special one: where that is singular nothing of theirs is missing."""
 
 from __future__ import annotations
 

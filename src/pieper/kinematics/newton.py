@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from pieper import _kernel
-from pieper.kinematics.arrays import Array, Indices
+from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.pose import rotation_vector
 from pieper.tolerances import (
@@ -225,21 +225,24 @@ def newton_and_miss(chain: Chain, q: Array, T: Array, steps: int) -> tuple[Array
     return _kernel.onto(chain.plain, q=q, T=T, steps=steps, cutoff=NEWTON_CUTOFF, longest=LONGEST)
 
 
-def newton_on_plane(
-    chain: Chain, q: Array, T: Array, direction: Array, *, holds: float, steps: int = 12
-) -> Array | None:
-    """Pull q (n,) onto the pose T within the plane across `direction` (n,); None if it does not get there."""
+def newton_on_planes(
+    chain: Chain, q: Array, T: Array, directions: Array, *, holds: float, steps: int = 12
+) -> tuple[Array, Bools]:
+    """Pull q (k, n) onto the pose T within planes across directions (k, n); return them and which got there (k,)."""
+    q = q.copy()
     e = pose_difference(chain, q, T)
+    active = np.arange(len(q))
     for _ in range(steps):
-        if np.linalg.norm(e) < holds:
-            return q
-        A = np.vstack([scaled_jacobian(chain, q), direction])
-        step = np.linalg.lstsq(A, np.append(e, 0.0), rcond=NEWTON_HELD_RANK)[0]
-        if np.linalg.norm(step) > 1.0:
-            return None
-        q = q + step * chain.joints.unit
-        e = pose_difference(chain, q, T)
-    return q if np.linalg.norm(e) < holds else None
+        active = active[np.linalg.norm(e[active], axis=1) >= holds]
+        if not len(active):
+            break
+        A = np.concatenate([scaled_jacobian(chain, q[active]), directions[active, None]], axis=1)
+        step = shortest(NEWTON_HELD_RANK)(A, np.concatenate([e[active], np.zeros((len(active), 1))], axis=1))
+        near = np.linalg.norm(step, axis=1) <= 1.0
+        active = active[near]
+        q[active] += step[near] * chain.joints.unit
+        e[active] = pose_difference(chain, q[active], T)
+    return q, np.linalg.norm(e, axis=1) < holds
 
 
 def downhill(

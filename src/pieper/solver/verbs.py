@@ -384,8 +384,7 @@ def _spare(plan: Plan, poses: Array, rows: Rows, asked: Choice, threads: int) ->
     from pieper.solver.redundant.elsewhere import choose_elsewhere
 
     if asked.free:
-        none = np.flatnonzero(~any_row(rows.inside))
-        if len(none):
+        if not any_row(rows.inside).all():
             rows, _ = choose_elsewhere(plan, _checked(poses), rows, threads)
         # of rows at a value that nobody chose nobody was told that they are all
         rows.flags[any_row(rows.inside)] &= np.uint8(255 ^ _UNCERTAIN)

@@ -126,6 +126,9 @@ SEED_ON_CURVE = 1e-5
 SEED_IS_ON = 1e-6
 #: Where a curve crosses another it is gone on by steps shorter than this (rad; lengths).
 CROSSED_BY = 1e-3
+#: Jacobians with a curve's way beneath whose determinant is above this have no two directions so weak that a curve that
+#: passes may have turned both round.
+BOTH_WEAK = 1e-2
 #: A step (rad; lengths) of a point that holds the pose already, beyond which it is made of rounding.
 LED_AWAY = 1e-5
 #: Seeds whose weakest direction is below this part of the strongest are traced last.

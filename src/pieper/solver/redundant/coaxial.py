@@ -21,7 +21,7 @@ from pieper.kinematics.newton import missed, newton, scaled_jacobian, size_of
 from pieper.solver.plan.holding import without
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions
-from pieper.solver.singular.meetings import Meeting, meetings
+from pieper.solver.singular.meetings import Meeting, all_put_in_line, meetings
 from pieper.solver.singular.self_motion import SelfMotion
 from pieper.tolerances import CLOSES, COAXIAL_HOLDS, ROUNDING, SAME_VOUCHED
 
@@ -49,8 +49,7 @@ def lines(plan: Plan, T: Array, one: Callable[[Plan, Array], Solutions]) -> list
         return out
     for at, shorter in _shorter(plan):
         joints = at.between, at.between + 1
-        way = np.zeros(full.n)
-        way[[at.between - 1, at.between + 1]] = np.sqrt(0.5), -at.sense * np.sqrt(0.5)
+        way = _way(full, at)
         rest = shorter.exact.full
         kept = [j for j in range(full.n) if j not in joints]
         for row in _points(one(shorter, T)):
@@ -59,6 +58,26 @@ def lines(plan: Plan, T: Array, one: Callable[[Plan, Array], Solutions]) -> list
             if missed(full, q, T) < COAXIAL_HOLDS * size_of(full, T):
                 out.append((q, way))
     return out
+
+
+def lines_through(chain: Chain, T: Array, rows: Array) -> list[tuple[Array, Array]]:
+    """Return the same of rows (m, n) that all but stand on such a line.
+
+    Where solutions merge several times over, what solves the shorter arm may not know that it is there.
+    """
+    out: list[tuple[Array, Array]] = []
+    for at in meetings(chain):
+        put, there = all_put_in_line(chain, at, rows, T)
+        put = put[there]
+        out += [(q, _way(chain, at)) for q in put[missed(chain, put, T) < COAXIAL_HOLDS * size_of(chain, T)]]
+    return out
+
+
+def _way(chain: Chain, at: Meeting) -> Array:
+    """Return the direction (n,) of the line where two joints turn against one another."""
+    way = np.zeros(chain.n)
+    way[[at.between - 1, at.between + 1]] = np.sqrt(0.5), -at.sense * np.sqrt(0.5)
+    return way
 
 
 def _shorter(plan: Plan) -> tuple[tuple[Meeting, Plan], ...]:

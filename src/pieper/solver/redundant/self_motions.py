@@ -8,6 +8,7 @@ import numpy as np
 
 from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
+from pieper.kinematics.joints import TURN
 from pieper.kinematics.newton import at_least_as_strong, missed, newton
 from pieper.solver.arm_rows import full_rows
 from pieper.solver.kernel_rows import Solved
@@ -22,10 +23,12 @@ from pieper.solver.results import Solutions
 from pieper.solver.singular.beside_curve import how_often_passed, on_followed, one_free
 from pieper.solver.singular.meetings import all_put_in_line, meetings
 from pieper.solver.singular.self_motion import SelfMotion
-from pieper.solver.singular.trace import MOST_STEPS, trace
+from pieper.solver.singular.trace import MOST_STEPS, dimension_of, trace
+from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import (
     CLOSES,
     CROSSED_BY,
+    CURVE_STEP,
     HOLDS,
     PRECISE_RANK,
     SAME_VOUCHED,
@@ -88,9 +91,9 @@ def self_motions_of(
     if one_free(full):
         seeds = _regular_first(full, _onto(full, T, np.concatenate([seeds, rows]) if len(rows.T) == full.n else seeds))
     motions: list[SelfMotion] = []
-    for point, way in coaxial.lines(plan, T, one):
-        if not any(coaxial.joined(other, point[None])[0] for other in motions):
-            line = trace(full, point, T, plan.full_limits, plan.full_names, way, shown=plan.n)
+    for point, way in (*coaxial.lines(plan, T, one), *coaxial.lines_through(full, T, seeds)):
+        if not any(_is_same(other, point, way) for other in motions):
+            line = _once_round(plan, T, point, way)
             motions.append(_across(line, seeds) if line.dimension > 1 else line)
     lines = list(motions)
     if lines:
@@ -132,6 +135,22 @@ def self_motions_of(
     bounded = tuple(bounded_motion(motion, ends) for motion in motions)
     # all of it is a surface where several joints are to spare, and at some poses of an arm with one
     return as_one(bounded) if spare > 1 or all(motion.dimension > 1 for motion in bounded) else bounded
+
+
+def _is_same(line: SelfMotion, point: Array, way: Array) -> bool:
+    """Whether the line through a point (n,) along a way (n,) is one that is known, or lies on a surface that is."""
+    near = SEED_IS_ON if line.is_line else SEED_ON_POLYLINE
+    both = np.array([point, point + way])
+    return bool((line.distances(both) < near).all() or coaxial.joined(line, both)[0])
+
+
+def _once_round(plan: Plan, T: Array, point: Array, way: Array) -> SelfMotion:
+    """Return the line (n,) through a point along which two joints turn against one another, once round."""
+    long = float(TURN * np.sqrt(2.0))
+    gone = np.linspace(0.0, long, int(np.ceil(long / CURVE_STEP)) + 1)
+    samples = np.asarray(point + np.multiply.outer(gone, way), np.float64)
+    dimension = dimension_of(plan.exact.full, T, samples)
+    return TracedMotion(plan.exact.full, T, samples, True, dimension, plan.full_limits, plan.full_names, plan.n)
 
 
 def _across(line: SelfMotion, seeds: Array) -> SelfMotion:

@@ -18,8 +18,9 @@ from pieper.tolerances import CLOSES, CURVE_RANK, LINE_OF_SLIDES, NO_END, ON_CUR
 
 #: Halvings of a golden section that place where a joint turns back: its value is exact to rounding then.
 HALVINGS = 30
-#: Where a second direction stays open the solutions form a surface: how far lines on it are followed each way,
-LINE_STEPS = 60
+#: Where a second direction stays open the solutions form a surface: how far lines on it are followed each way (two
+#: joints that turn against one another come round in 75),
+LINE_STEPS = 80
 #: and from how many postures inside the limits a part of it is sought that none of them crosses.
 INSIDE_STARTS = 64
 

@@ -11,7 +11,7 @@ import numpy as np
 from pieper.kinematics.arrays import Array, Bools, Indices
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import pose_difference, scaled_jacobian, singular_values
-from pieper.tolerances import CLOSES, FOLLOW_EXACT, FOLLOW_NONE, LED_AWAY, ON_CURVE, SAME_VOUCHED, TINY
+from pieper.tolerances import BOTH_WEAK, CLOSES, FOLLOW_EXACT, FOLLOW_NONE, LED_AWAY, ON_CURVE, SAME_VOUCHED, TINY
 
 #: So many stretches of a curve are looked at that come near a posture: one that bends back may pass it twice.
 STRETCHES = 3
@@ -140,12 +140,15 @@ def _meets(chain: Chain, T: Array, place: _Place, q: Array, within: float) -> Bo
         return near
     held = np.linalg.norm(pose_difference(chain, point, T), axis=1)
     near &= held < 10 * ON_CURVE
-    # Newton's method may have slipped onto another curve that passes as near: there the side is the other one
+    # Newton's method may have slipped onto another curve that passes as near: it is on another side than both samples
     some = np.flatnonzero(near)
-    there = side(chain, point[some], along[some])
-    ends = side(chain, four[some, 1], along[some]), side(chain, four[some, 2], along[some])
-    slipped = (there * ends[0] < 0) & (there * ends[1] < 0)
-    near[some[slipped]] = False
+    there = bordered(chain, point[some], along[some])
+    for end in (1, 2):
+        other = ~same_side(bordered(chain, four[some, end], along[some]), there)
+        some, there = some[other], there[other]
+        if not len(some):
+            return near
+    near[some] = False
     return near
 
 
@@ -172,12 +175,23 @@ def _solved(A: Array, b: Array) -> Array:
         return np.einsum("mij,mj->mi", np.linalg.pinv(A, rcond=FOLLOW_NONE), b)
 
 
-def side(chain: Chain, q: Array, along: Array) -> Array:
-    """Return the signs (m,) of the Jacobians' determinants at q (m, 7), the way `along` (m, 7) beneath; 0 for rounding.
+def bordered(chain: Chain, q: Array, along: Array) -> Array:
+    """Return the Jacobians (m, 7, 7) at q (m, 7), the way `along` (m, 7) of a curve beneath."""
+    return np.concatenate([scaled_jacobian(chain, q), along[:, None]], 1)
 
-    The determinant with the free direction beneath keeps its sign along a curve, and two curves that pass each other
-    beside a singular posture have different ones: an elbow nearly straight bends either way.
+
+def same_side(one: Array, other: Array) -> Bools:
+    """Return whether what `bordered` gives at two places (m, 7, 7) is of curves on one side; rounding is on either.
+
+    On the way along a curve it stays regular. Of two curves that pass each other beside a singular posture a direction
+    is turned round between them, an elbow nearly straight bends either way: the one has a negative eigenvalue relative
+    to the other, and the determinant another sign. With shoulder and wrist both all but in line two are turned round,
+    and the determinant has one sign on both.
     """
-    A = np.concatenate([scaled_jacobian(chain, q), along[:, None]], 1)
-    sign, size = np.linalg.slogdet(A)
-    return np.where(size > np.log(FOLLOW_NONE), sign, 0.0)
+    (sign, size), (other_sign, other_size) = np.linalg.slogdet(one), np.linalg.slogdet(other)
+    known = np.minimum(size, other_size) > np.log(FOLLOW_NONE)
+    same = ~known | (sign * other_sign > 0)
+    both = np.flatnonzero(known & same & (np.minimum(size, other_size) < np.log(BOTH_WEAK)))
+    if len(both):
+        same[both] = (np.linalg.eigvals(np.linalg.solve(one[both], other[both])).real > 0).all(1)
+    return same

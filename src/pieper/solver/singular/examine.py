@@ -18,6 +18,7 @@ from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space, singular_values, size_of
 from pieper.kinematics.pose import rotation_about
+from pieper.solver.redundant.coaxial import joined
 from pieper.solver.singular import near_curve
 from pieper.solver.singular.at_limits import LINE_STEPS, at_limits, drawn_in, leads_away, met_inside, way_of_slides
 from pieper.solver.singular.examined import Examined, told
@@ -26,7 +27,7 @@ from pieper.solver.singular.line_of_slides import SlideLine
 from pieper.solver.singular.meetings import meetings, put_in_line
 from pieper.solver.singular.merged_roots import all_into_limits, distinct_roots, merged_root
 from pieper.solver.singular.self_motion import SelfMotion
-from pieper.solver.singular.trace import MOST_STEPS, crossings, dimension_of, second_smallest, step_along, trace
+from pieper.solver.singular.trace import MOST_STEPS, crossings, dimension_of, second_smallest, steps_along, trace
 from pieper.solver.singular.traced_motion import TracedMotion
 from pieper.tolerances import (
     APART_SINGULAR,
@@ -145,7 +146,17 @@ def examine(
         placed = _exact_ones(curves, placed, most - len(isolated))
     doubles = all_into_limits(chain, [q for q, _ in placed], T, limits)
     pairs = [count for _, count in placed]
-    return told(chain, isolated, doubles, pairs, met_inside([at_limits(motion) for motion in curves.closed]))
+    motions = met_inside([at_limits(motion) for motion in _without_surfaces_blur(curves.closed)])
+    return told(chain, isolated, doubles, pairs, motions)
+
+
+def _without_surfaces_blur(motions: list[SelfMotion]) -> list[SelfMotion]:
+    """Return self-motions without curves that run on a surface told beside them.
+
+    From a row that is known to half the digits a curve runs so far beside the surface that it seems to be one alone.
+    """
+    surfaces = [motion for motion in motions if motion.dimension > 1]
+    return [m for m in motions if m.dimension > 1 or not any(joined(over, m.samples).all() for over in surfaces)]
 
 
 def _exact_ones(curves: _Curves, placed: list[tuple[Array, int]], room: int) -> list[tuple[Array, int]]:
@@ -229,8 +240,7 @@ def _grow(curves: _Curves, q: Array) -> bool:
     waiting = [q]
     while waiting and len(curves.closed) < MOST_MOTIONS:
         point = waiting.pop()
-        for direction in _directions(chain, point):
-            further = step_along(chain, point, T, direction, PROBE)
+        for further in steps_along(chain, point, T, _directions(chain, point), PROBE):
             if further is None:
                 continue
             if curves.on_line(further):
@@ -317,17 +327,16 @@ def _line(curves: _Curves, point: Array, further: Array, steps: int = LINE_STEPS
     )
 
 
-def _directions(chain: Chain, q: Array) -> list[Array]:
-    """Return directions in which a pose might be held at q; where two vanish at once, a fan of their mixtures."""
+def _directions(chain: Chain, q: Array) -> Array:
+    """Return directions (k, n) in which a pose might be held at q; where two vanish at once, a fan of mixtures too."""
     s, Vt = null_space(chain, q)
     # near a crossing the second direction is only nearly free, and the curve's own tangent may be it
     null = Vt[s <= max(NEARLY_SINGULAR * s[0], TINY)]
     if len(null) < 2:
-        return list(null)
-    angles = np.arange(FAN) * np.pi / FAN
-    fan = [np.cos(t) * null[0] + np.sin(t) * null[1] for t in angles]
+        return null
     # a curve's own tangent at a crossing is found by Newton from the nearest of the fan
-    return [*null, *fan]
+    angles = np.arange(FAN) * np.pi / FAN
+    return np.concatenate([null, np.outer(np.cos(angles), null[0]) + np.outer(np.sin(angles), null[1])])
 
 
 @lru_cache(maxsize=8)

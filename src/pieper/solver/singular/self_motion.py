@@ -374,10 +374,11 @@ class SelfMotion:
 
     def __str__(self) -> str:
         moving, relation = [self.names[j] for j in self.free], self.relation
-        where = "all the way round" if self.closed else "between two ends" if self.bounded else "without an end"
-        text = f"{', '.join(moving)} {'moves' if len(moving) == 1 else 'move together'} {where}" + (
-            f" with {relation}" if relation else ""
-        )
+        # where a line on a surface is no longer followed the surface has no end
+        ends = "" if self.dimension > 1 else " between two ends" if self.bounded else " without an end"
+        where = " all the way round" if self.closed else ends
+        verb = "moves" if len(moving) == 1 else "move together"
+        text = f"{', '.join(moving)} {verb}{where}" + (f" with {relation}" if relation else "")
         return text + (f"; {self.dimension} degrees of freedom in all" if self.dimension > 1 else "")
 
     @cached_property

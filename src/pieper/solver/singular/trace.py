@@ -8,7 +8,7 @@ from pieper import _kernel
 from pieper.kinematics.arrays import Array
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.golden_section import least_at
-from pieper.kinematics.newton import missed, newton, newton_on_plane, null_space, singular_values
+from pieper.kinematics.newton import missed, newton, newton_on_planes, null_space, singular_values
 from pieper.solver.singular.along_folds import along_folds, ways_gone
 from pieper.solver.singular.beside_curve import one_free
 from pieper.solver.singular.self_motion import SelfMotion
@@ -29,14 +29,13 @@ MOST_STEPS, STRAIGHT = 1500, 0.95
 HALVINGS = 30
 
 
-def step_along(chain: Chain, q: Array, T: Array, direction: Array, probe: float = 0.05) -> Array | None:
-    """Return a point about `probe` (rad or lengths) from q along `direction` that holds the pose, or None."""
-    unit = chain.joints.unit
-    for side in (probe, -probe):
-        point = newton_on_plane(chain, q + side * direction * unit, T, direction, holds=ON_CURVE)
-        if point is not None and np.linalg.norm((point - q) / unit) > 0.5 * probe:
-            return point
-    return None
+def steps_along(chain: Chain, q: Array, T: Array, directions: Array, probe: float = 0.05) -> list[Array | None]:
+    """Return a point on the pose about `probe` (rad or lengths) from q along each of directions (k, n), or None."""
+    unit, k = chain.joints.unit, len(directions)
+    ahead = np.concatenate([q + probe * directions * unit, q - probe * directions * unit])
+    points, held = newton_on_planes(chain, ahead, T, np.concatenate([directions, directions]), holds=ON_CURVE)
+    held &= np.linalg.norm((points - q) / unit, axis=1) > 0.5 * probe
+    return [points[i] if held[i] else points[k + i] if held[k + i] else None for i in range(k)]
 
 
 def trace(

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from pieper.solver.plan.plan import Plan
 from pieper.solver.results import Solutions, Status
 from pieper.solver.rows import Flag
+from pieper.solver.singular.self_motion import SelfMotion
 from pieper.solver.words.closest import closest, typed
 from pieper.tolerances import ARM_ANGLE_POLE, CLOSES, MOST_OPEN, TOLD_AS_TURN, TURN_FOR_PLACE
 from pieper.words_by_number import plural
@@ -38,9 +41,9 @@ def why(plan: Plan, sols: Solutions) -> str:
         return f"{plural(k, 'solution')} {_were(k)} found and verified, but the check that none is missing failed here."
     isolated = int(np.sum(sols.in_self_motion < 0))
     if status == Status.SINGULAR:
-        text = "; ".join(str(motion) for motion in sols.self_motions)
-        count = plural(len(sols.self_motions), "self-motion")
-        return f"The pose is singular: {count} ({text}) and {plural(isolated, 'isolated solution')}."
+        told = _told_once(sols.self_motions)
+        count = plural(len(told), "self-motion")
+        return f"The pose is singular: {count} ({'; '.join(told)}) and {plural(isolated, 'isolated solution')}."
     if status == Status.REDUNDANT:
         spare = plural(len(plan.redundancy), "joint")
         if not m:
@@ -49,6 +52,26 @@ def why(plan: Plan, sols: Solutions) -> str:
         return f"{plural(m, 'solution')} at the chosen {_held(plan, sols)}; the arm has {spare} to spare for this task."
     where = "lies" if m == 1 else "lie"
     return f"{m} of {plural(k, 'solution')} {where} inside the joint limits{_merged(sols)}."
+
+
+def _told_once(motions: Sequence[SelfMotion]) -> list[str]:
+    """Return what is said of each self-motion: of lines that lead to one another, on one surface, once."""
+    told: list[str] = []
+    left = list(motions)
+    while left:
+        first, *left = left
+        lines = [first]
+        if first.dimension > 1:
+            same = (other for other in left if other.dimension == first.dimension)
+            lines += [other for other in same if first.contains(other.representative)]
+            left = [other for other in left if other not in lines]
+        if len(lines) == 1:
+            told.append(str(first))
+            continue
+        names = [first.names[joint] for joint in sorted({joint for line in lines for joint in line.free})]
+        said = f"{', '.join(names)} move together with {first.dimension} degrees of freedom"
+        told.append(f"{said}, shown by {len(lines)} lines")
+    return told
 
 
 def _merged(sols: Solutions) -> str:
