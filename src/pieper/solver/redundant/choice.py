@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -55,7 +55,7 @@ class Choice:
     def part(self, at: slice) -> Choice:
         """Return the same for some of the poses."""
         angles = None if self.angles is None else self.angles[at]
-        return Choice(self.plan, self.values[at], angles, self.angle, self.free)
+        return replace(self, values=self.values[at], angles=angles)
 
 
 def nothing_chosen(redundancy: Redundancy) -> bool:
