@@ -72,6 +72,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         slots: (k,) the branch of the plan each row of all_q belongs to.
         in_limits: (k,) bool: which rows of all_q lie inside the limits.
         flag: Bits of `Flag`.
+        named: Names of the spare coordinates that were chosen where others were left open; else none.
     """
 
     __slots__ = (
@@ -86,6 +87,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         "all_q",
         "flag",
         "in_limits",
+        "named",
         "slots",
     )
 
@@ -100,6 +102,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         flag: int,
         found: Examined | None = None,
         self_motions: tuple[SelfMotion, ...] | Callable[[], tuple[SelfMotion, ...]] = (),
+        named: tuple[str, ...] = (),
     ) -> None:
         self._plan = plan
         self._words = words
@@ -110,6 +113,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
         self.flag = flag
         self._found = found
         self._self_motions = self_motions
+        self.named = named
         self._q: Array | None = None
         self._why: str | None = None
         self._closest: Closest | None = None
@@ -118,7 +122,7 @@ class Solutions(Marked, Tabular, Sequence[Solution]):
     def told_by(self, plan: Plan) -> Solutions:
         """Return the same as another plan of the arm tells it."""
         rows = self.all_q, self.slots, self.in_limits, self.flag
-        return Solutions(plan, self._words, self.T, *rows, self._found, self._self_motions)
+        return Solutions(plan, self._words, self.T, *rows, self._found, self._self_motions, self.named)
 
     @property
     def q(self) -> Array:

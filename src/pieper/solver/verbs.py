@@ -369,7 +369,7 @@ def _ik_through(plan: Plan, given: PoseLike, redundancy: Redundancy) -> Solution
     motions = partial(self_motions_of, plan, T, plan.defaults, ik, q) if some else ()
     if asked.free and np.count_nonzero(inside):
         flag &= ~_UNCERTAIN  # of rows at a value that nobody chose nobody was told that they are all
-    return Solutions(asked.plan, WORDS, T, q, slots, inside, int(flag) & ~(_DEGENERATE | _EDGE), self_motions=motions)
+    return Solutions(asked.plan, WORDS, T, q, slots, inside, flag & ~(_DEGENERATE | _EDGE), None, motions, asked.names)
 
 
 def _spare(plan: Plan, poses: Array, rows: Rows, asked: Choice, threads: int) -> tuple[Rows, Bits]:

@@ -9,6 +9,7 @@ import numpy as np
 from pieper.errors import PlanError
 from pieper.kinematics.geometry import look
 from pieper.solver.families import choose
+from pieper.solver.families.family import KernelSpec
 from pieper.solver.native import without_far_ends
 from pieper.solver.plan import six_joints
 from pieper.solver.plan.plan import MOST_LOCKED, Plan, as_it_is, as_near
@@ -42,35 +43,46 @@ def _made(plan: Plan, joints: tuple[int, ...]) -> Plan:
     reduction = six_joints.holding(plan.reduction, joints)
     if reduction is None:
         raise PlanError(f"{plan.name}: the pose alone decides {names}, which cannot be chosen.", joints=joints)
+    family, spec = _family_of(reduction)
+    limits = plan.full_limits[list(joints)]
+    nearest = np.clip(np.zeros(len(limits)), limits[:, 0], limits[:, 1])
+    middle = np.where(np.isfinite(limits).all(1), np.nan_to_num(limits).mean(1), nearest)
+    most = max(spec.max_solutions, 16 if plan.snapped else 0)
+    return replace(plan, reduction=reduction, defaults=middle, family=family, spec=spec, max_solutions=most)
+
+
+def _family_of(reduction: six_joints.Reduction) -> tuple[str, KernelSpec]:
+    """Return which family takes six joints where those that are held stand anywhere, and how it solves them.
+
+    Raises:
+        PlanError: None does.
+    """
     refused = None
-    for value in TRIED:
-        six, _ = without_far_ends(reduction.six(unlike(len(joints), value)))
+    for value in TRIED if reduction.locked else (0.0,):
+        six, _ = without_far_ends(reduction.six(unlike(len(reduction.locked), value)))
         try:
-            family, spec = choose(six, look(six, GEOMETRY_EXACT))
+            return choose(six, look(six, GEOMETRY_EXACT))
         except PlanError as error:
             refused = error
-            continue
-        limits = plan.full_limits[list(joints)]
-        nearest = np.clip(np.zeros(len(limits)), limits[:, 0], limits[:, 1])
-        middle = np.where(np.isfinite(limits).all(1), np.nan_to_num(limits).mean(1), nearest)
-        most = max(spec.max_solutions, 16 if plan.snapped else 0)
-        return replace(plan, reduction=reduction, defaults=middle, family=family, spec=spec, max_solutions=most)
-    raise refused or PlanError(f"{plan.name}: no family takes the arm with {names} held.", joints=joints)
+    raise refused or AssertionError("one value at least is tried")
 
 
-def locked_at(plan: Plan, values: tuple[float, ...]) -> Plan:
+def locked_at(plan: Plan, values: tuple[float, ...], joints: tuple[int, ...] | None = None) -> Plan:
     """Return a plan for the arm whose redundant coordinates stand at values: for the joints that are left, a pose.
 
     Its joints are the others, the task's virtual ones included. Made once and kept with the plan.
 
+    Args:
+        plan: A plan with redundancy.
+        values: One a coordinate, or one of each of `joints`.
+        joints: Which joints (0-based, virtual ones included) stand at values; the redundant coordinates if None.
+
     Raises:
         PlanError: No family takes what is left.
     """
-    return made_once(plan.locked, values, lambda: _locked(plan, values), MOST_LOCKED)
-
-
-def _locked(plan: Plan, values: tuple[float, ...]) -> Plan:
-    return without(plan, plan.reduction.locked, values)
+    joints = plan.reduction.locked if joints is None else joints
+    key = tuple(zip(joints, values, strict=True))
+    return made_once(plan.locked, key, lambda: without(plan, joints, values), MOST_LOCKED)
 
 
 def without(plan: Plan, joints: tuple[int, ...], values: tuple[float, ...]) -> Plan:
@@ -84,8 +96,7 @@ def without(plan: Plan, joints: tuple[int, ...], values: tuple[float, ...]) -> P
     for joint, value in sorted(zip(joints, values, strict=True), reverse=True):
         chain = chain.locked(joint, float(value))
     reduction = six_joints.reduce(chain, "pose")[0]
-    six, _ = without_far_ends(reduction.six(np.zeros(len(reduction.locked))))
-    family, spec = choose(six, look(six, GEOMETRY_EXACT))
+    family, spec = _family_of(reduction)
     names = plan.full_names
     return replace(
         plan,

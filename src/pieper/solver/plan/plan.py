@@ -303,8 +303,8 @@ class Plan:
         return {}
 
     @cached_property
-    def locked(self) -> dict[tuple[float, ...], Plan | PlanError]:
-        """What `locked_at` made of this plan, by the values of the locked joints."""
+    def locked(self) -> dict[tuple[tuple[int, float], ...], Plan | PlanError]:
+        """What `locked_at` made of this plan, by the joints that are held and their values."""
         return {}
 
     def residual(self, q: Array, T: Array) -> Array:

@@ -13,7 +13,7 @@ from pieper.solver.arm_rows import arm_rows
 from pieper.solver.plan.holding import locked_at
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.choice import Choice
-from pieper.solver.rows import Flag, Rows
+from pieper.solver.rows import Flag, Rows, any_row
 
 #: Solves poses (N, 4, 4) of a plan without redundancy, looks with care where that is needed, and returns all rows.
 Solve: TypeAlias = Callable[[Plan, Array, int], Rows]
@@ -33,7 +33,16 @@ def rows_at_choice(plan: Plan, poses: Array, asked: Choice, threads: int, solve:
     doubtful = (rows.flags & (Flag.DEGENERATE | Flag.UNCERTAIN | Flag.EDGE)) > 0
     if short:
         doubtful |= ~rows.valid.any(1)
-    return _again(asked.plan, poses, asked.values, rows, np.flatnonzero(doubtful), threads, solve)
+    rows = _again(asked.plan, poses, asked.values, rows, np.flatnonzero(doubtful), threads, solve)
+    if not asked.named:
+        return rows
+    if not any_row(rows.inside).all():
+        from pieper.solver.redundant.elsewhere import others_elsewhere
+
+        rows = others_elsewhere(asked, poses, rows, threads)
+    # of rows at a value that nobody chose nobody was told that they are all
+    rows.flags[any_row(rows.inside)] &= np.uint8(255 ^ int(Flag.UNCERTAIN))
+    return rows
 
 
 def _again(plan: Plan, poses: Array, values: Array, rows: Rows, at: Indices, threads: int, solve: Solve) -> Rows:

@@ -36,6 +36,8 @@ class Choice:
         angles: (N,) arm angles, rad, where these were asked for, and of what.
         angle: The arm angle they are values of.
         free: Whether nobody chose: any value will do that has an answer.
+        named: Which coordinates (0-based, of the plan's redundant ones) were chosen where others were not: of those any
+            value will do.
     """
 
     plan: Plan
@@ -43,6 +45,12 @@ class Choice:
     angles: Array | None
     angle: ArmAngle | None
     free: bool
+    named: tuple[int, ...] = ()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of what was chosen where others were not."""
+        return tuple(self.plan.redundancy[i] for i in self.named)
 
     def part(self, at: slice) -> Choice:
         """Return the same for some of the poses."""
@@ -110,7 +118,8 @@ def _by_name(plan: Plan, redundancy: Mapping[str, Any], count: int) -> Choice:
     if any(value is None for value in values):
         raise InputError(f"redundancy must be finite numbers, got {arguments.kind_of(redundancy)}.", given=redundancy)
     rows = np.stack([np.broadcast_to(np.ravel(value), (count,)) for value in values if value is not None], -1)
-    return Choice(held, _values(held, rows, redundancy, count), None, None, False)
+    named = tuple(i for i, name in enumerate(held.redundancy) if name in redundancy) if len(redundancy) < spare else ()
+    return Choice(held, _values(held, rows, redundancy, count), None, None, False, named)
 
 
 def _holding(plan: Plan, joints: tuple[int, ...], redundancy: Mapping[str, Any]) -> Plan:

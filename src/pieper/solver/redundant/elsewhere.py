@@ -9,8 +9,10 @@ import numpy as np
 from pieper.errors import PlanError
 from pieper.kinematics.arrays import Array, Indices
 from pieper.solver.arm_rows import arm_rows
+from pieper.solver.plan.holding import locked_at
 from pieper.solver.plan.plan import Plan
 from pieper.solver.redundant.anywhere import INSIDE, anywhere, spare_values
+from pieper.solver.redundant.choice import Choice
 from pieper.solver.rows import Flag, Rows
 from pieper.tolerances import CHOSEN_POINT
 
@@ -43,9 +45,42 @@ def choose_elsewhere(plan: Plan, T: Array, rows: Rows, threads: int) -> tuple[Ro
     if not moved.any():
         return rows, kind
     at, points = left[moved], found.q[moved]
-    there = _rows_through(plan, T[at], points, threads)
-    if len(at) == len(T):
-        return _widened(there, rows.q.shape[1]), kind
+    return _with_those(rows, at, _rows_through(plan, T[at], points, threads)), kind
+
+
+def others_elsewhere(asked: Choice, T: Array, rows: Rows, threads: int) -> Rows:
+    """Choose other values of the coordinates that nobody named, where those named were given.
+
+    Args:
+        asked: What was asked for, of some of the coordinates by name.
+        T: (N, 4, 4) poses.
+        rows: Rows of all of them, what was not named at its default.
+        threads: For the kernels.
+
+    Returns:
+        Rows with those of the chosen values in their places, of poses without a row inside the limits.
+    """
+    left = np.flatnonzero(~rows.inside.any(1))
+    joints = tuple(asked.plan.reduction.locked[i] for i in asked.named)
+    values = asked.values[:, list(asked.named)]
+    for value in np.unique(values[left], axis=0):
+        at = left[(values[left] == value).all(1)]
+        try:
+            plan = locked_at(asked.plan, tuple(value.tolist()), joints)
+        except PlanError:
+            continue  # what is left is no arm: its rows stand as they are
+        found = anywhere(plan, T[at], threads)
+        moved = (found.kind == INSIDE) | ((found.kind > 0) & ~rows.valid[at].any(1))
+        if moved.any():
+            points = np.insert(found.q[moved], np.array(joints) - np.arange(len(joints)), value, axis=1)
+            rows = _with_those(rows, at[moved], _rows_through(asked.plan, T[at[moved]], points, threads))
+    return rows
+
+
+def _with_those(rows: Rows, at: Indices, there: Rows) -> Rows:
+    """Return rows of all poses with those of some of them (k,) in their places."""
+    if len(at) == len(rows.q):
+        return _widened(there, rows.q.shape[1])
     rows = _widened(rows, there.q.shape[1])
     q, valid, inside = rows.q.copy(), rows.valid.copy(), rows.inside.copy()
     q[at], valid[at], inside[at] = 0.0, False, False
@@ -53,7 +88,7 @@ def choose_elsewhere(plan: Plan, T: Array, rows: Rows, threads: int) -> tuple[Ro
     q[at, :most], valid[at, :most], inside[at, :most] = there.q, there.valid, there.inside
     flags = rows.flags.copy()
     flags[at] = there.flags
-    return Rows(q, valid, inside, flags), kind
+    return Rows(q, valid, inside, flags)
 
 
 def _rows_through(plan: Plan, T: Array, points: Array, threads: int) -> Rows:

@@ -44,7 +44,8 @@ def why(plan: Plan, sols: Solutions) -> str:
     if status == Status.REDUNDANT:
         spare = plural(len(plan.redundancy), "joint")
         if not m:
-            return f"No solution inside the limits at the chosen {_held(plan, sols)}; other values have some."
+            named = ", ".join(sols.named) or _held(plan, sols)
+            return f"No solution inside the limits at the chosen {named}; other values have some."
         return f"{plural(m, 'solution')} at the chosen {_held(plan, sols)}; the arm has {spare} to spare for this task."
     where = "lies" if m == 1 else "lie"
     return f"{m} of {plural(k, 'solution')} {where} inside the joint limits{_merged(sols)}."
@@ -72,7 +73,7 @@ def _out_of_reach(plan: Plan, sols: Solutions) -> str:
     near = sols.closest
     metres, radians = near.metres, near.radians
     if plan.redundancy and metres < CLOSES * plan.chain.length and radians < CLOSES:
-        held = _held(plan, sols)
+        held = ", ".join(sols.named) or _held(plan, sols)
         return f"No solution at the chosen {held}, though the arm can take the pose with other values."
     # a turn is told where it is one, or all that is missing
     way = metres / plan.chain.length
