@@ -23,7 +23,7 @@ template <class F, int Degree> PIEPER_INLINE F value_of(const F* c, F t) {
 }
 
 // Roots inside Count neighbouring brackets at once: edge[i]..edge[i + 1] holds one where signs differ (`inside`). Newton's step,
-// or bisection where it would leave; at most `steps` of them.
+// or bisection where it would leave; at most `steps` of them. A root that moves no more keeps its digits, whatever other lanes need.
 template <class F, int Degree, int Count> __attribute__((noinline)) void bracketed_roots(const F* c, const F* edge,
                                                                                          int steps, double precision,
                                                                                          F* root, Mask<F>* inside) {
@@ -41,6 +41,8 @@ template <class F, int Degree, int Count> __attribute__((noinline)) void bracket
     at[i] = select(inside[i], 0.5 * (chord + middle), middle);
     left = right;
   }
+  Mask<F> going[Count];
+  for (int i = 0; i < Count; ++i) going[i] = inside[i];
   repeat(steps, between, [&] {
     Mask<F> moving = mask_of<F>(false);
     for (int i = 0; i < Count; ++i) {
@@ -53,8 +55,10 @@ template <class F, int Degree, int Count> __attribute__((noinline)) void bracket
       F next = at[i] - value / select(slope == 0.0, F(kTiny), slope);
       Mask<F> fine = (next >= low[i]) & (next <= high[i]);
       next = select(fine, next, 0.5 * (low[i] + high[i]));
-      moving = moving | (inside[i] & (abs(next - at[i]) > precision));
-      at[i] = next;
+      const Mask<F> still = going[i] & (abs(next - at[i]) > precision);
+      at[i] = select(going[i], next, at[i]);
+      going[i] = still;
+      moving = moving | still;
     }
     return moving;
   });
