@@ -19,7 +19,7 @@ from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed, newton, null_space, singular_values, size_of
 from pieper.kinematics.pose import rotation_about
 from pieper.solver.redundant.coaxial import joined
-from pieper.solver.singular import near_curve
+from pieper.solver.singular import four_parallel, near_curve
 from pieper.solver.singular.at_limits import LINE_STEPS, at_limits, drawn_in, leads_away, met_inside, way_of_slides
 from pieper.solver.singular.examined import Examined, told
 from pieper.solver.singular.in_one_line import LineMotion
@@ -114,10 +114,13 @@ def examine(
         most: How many solutions the pose can have, where that is known.
     """
     curves = _Curves(chain, T, limits, names, chain.n if shown is None else shown, hiding)
+    aside = solve(side_steps(chain, T)).reshape(-1, chain.n)
+    moving, stuck = four_parallel.linkages(chain, T, np.concatenate([candidates, aside]), limits, names, curves.shown)
+    curves.closed += moving
     regular, singular = _split(chain, candidates)
     # kernels stop where Newton's method is slow: the last digits of a merged root are fetched here
     singular = newton(chain, singular, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
-    aside = solve(side_steps(chain, T)).reshape(-1, chain.n)
+    singular = four_parallel.elsewhere(chain, singular, T, stuck)
     pulled = newton(chain, aside, T, steps=30, cutoff=SLOW_RANK)
     near_regular, near_singular = _split(chain, pulled[missed(chain, pulled, T) < HOLDS])
     flat = aside[:0]
@@ -125,13 +128,14 @@ def examine(
         found = near_curve.onto(chain, aside, T, 6)
         flat = found.q[(found.sigma < NEARLY_SINGULAR) & (np.abs(found.miss) < CURVE_FAR) & (found.rest < FLAT_REST)]
     # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
-    starts = np.concatenate([singular, _distinct(chain, np.concatenate([near_singular, flat]), APART_SINGULAR)])
+    beside = four_parallel.elsewhere(chain, np.concatenate([near_singular, flat]), T, stuck)
+    starts = np.concatenate([singular, _distinct(chain, beside, APART_SINGULAR)])
     starts = np.array([drawn_in(chain, q, T) for q in starts]).reshape(-1, chain.n)
     doubles, hidden = _followed(curves, starts, len(singular))
     extra = np.array([*hidden, *near_singular]).reshape(-1, chain.n)
     extra = newton(chain, extra, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
     extra = extra[missed(chain, extra, T) < HOLDS_EXACTLY * size_of(chain, T)]
-    hidden_regular, hidden_singular = _split(chain, extra)
+    hidden_regular, hidden_singular = _split(chain, four_parallel.elsewhere(chain, extra, T, stuck))
     isolated = _distinct(chain, np.concatenate([regular, near_regular, hidden_regular]), SAME_SOLUTION)
     isolated = [q for q in isolated if not curves.meet(q, ISOLATED_FROM_CURVE)]
     doubles = [q for q in doubles if not curves.meet(q, DOUBLES_FROM_CURVE)]
@@ -140,7 +144,7 @@ def examine(
     merged = [q for q in merged if not curves.meet(q, ON_POLYLINE)]
     if curves.lines:
         merged = [q for q in merged if second_smallest(chain, q) > SINGULAR_EXAMINED]
-    placed = distinct_roots(chain, [merged_root(chain, q, T) for q in (*doubles, *merged)], T)
+    placed = distinct_roots(chain, [merged_root(chain, q, T) for q in (*stuck, *doubles, *merged)], T)
     placed = [root for root in placed if not _any_near(chain, root[0], isolated)]
     if most is not None and len(placed) + len(isolated) > most:
         placed = _exact_ones(curves, placed, most - len(isolated))
