@@ -12,8 +12,10 @@ import numpy as np
 import pytest
 
 from pieper import DH, Arm, Status
+from pieper.kinematics.chain import Chain
 from pieper.kinematics.newton import missed
-from pieper.solver.singular.four_parallel import four_parallel
+from pieper.solver.singular import four_parallel as known
+from pieper.solver.singular.four_parallel import Parallel, four_parallel
 from pieper.solver.singular.linkage_motion import LinkageMotion
 
 H = pi / 2
@@ -75,3 +77,29 @@ def test_a_straight_wrist_brings_four_axes_parallel() -> None:
     rows = [DH(a=0.3, d=0.2), DH(alpha=H), DH(alpha=-H, a=0.1), DH(a=0.2, alpha=-H), DH(a=0.01, alpha=H), DH(d=0.1)]
     across = Arm.from_dh(rows, convention="standard", joint_types="RRPRRR", limits=[(-2, 2)] * 6)
     assert four_parallel(across.plan.chain) == ()
+
+
+@pytest.mark.parametrize("off", [1e-5, 1e-6])
+def test_out_of_reach_of_a_stretched_linkage_is_said(off: float) -> None:
+    arm = _scara(0.0, off)
+    q = np.array([0.4, 0.0, 0.03, 0.0, 0.0, 0.5])
+    T = arm.fk(q)
+    away = T[:3, 3] * [1, 1, 0]
+    for beyond in (1e-10, 1e-8, 1e-6):
+        farther = T.copy()
+        farther[:3, 3] += beyond * away / np.linalg.norm(away)
+        assert arm.ik(farther).status is Status.OUT_OF_REACH
+
+
+def test_nothing_is_claimed_of_a_curve_that_is_not_recognised(monkeypatch: pytest.MonkeyPatch) -> None:
+    def nowhere(chain: Chain) -> tuple[Parallel, ...]:
+        return ()
+
+    monkeypatch.setattr(known, "four_parallel", nowhere)
+    arm = _scara(0.0, 1e-6)
+    # as many rows as there can be, each singular to rounding
+    q = np.array([0.2739234, 0.0, -0.0918053, -0.9669447, 0.0, 0.0])
+    assert arm.ik(arm.fk(q)).status in {Status.SINGULAR, Status.UNCERTAIN}
+    # where Newton's method stalls nothing is denied
+    q = np.array([0.2132716, 0.0, 0.008725, 0.000087, 0.0, 0.0])
+    assert arm.ik(arm.fk(q)).status in {Status.SOLVED, Status.SINGULAR, Status.UNCERTAIN}

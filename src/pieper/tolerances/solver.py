@@ -254,3 +254,8 @@ SAID_AS_ZERO = 1e-9
 NEAR_A_FOLD = 1e-4
 #: Steps aside (per length; rad) at which it is counted whether a pose beside a fold has more solutions than were told.
 BESIDE_A_FOLD = (1e-8, 1e-7)
+#: Rows whose smallest singular value is below this part of the largest are singular to rounding: no simple root is.
+SINGULAR_TO_ROUNDING = 1e-12
+#: A pose that descents come this near (per length; rad) may be held beside a posture where two directions are free:
+#: squares tell no nearer than half the digits.
+NEARLY_HELD = 3e-8

@@ -18,16 +18,21 @@ from pieper.solver.plan.six_joints import sample_joints
 from pieper.solver.rows import Flag
 from pieper.solver.singular.examine import HOLDS, SLOW_STEPS, examine, side_steps
 from pieper.solver.singular.examined import Examined
+from pieper.solver.singular.four_parallel import about_four_parallel
 from pieper.solver.singular.merged_roots import few_apart
 from pieper.solver.singular.self_motion import FREE, SelfMotion
+from pieper.solver.singular.trace import second_smallest
 from pieper.tolerances import (
     CLEARLY_REGULAR,
+    CROSSING_FOUND,
     HOLDS_EXACTLY,
     NEAR_INSIDE,
+    NEARLY_HELD,
     PRECISE_RANK,
     SAME_AFTER_CUT,
     SAME_ROW,
     SAME_VOUCHED,
+    SINGULAR_TO_ROUNDING,
     SLOW_RANK,
     SURE_ASIDE,
     UNFOLDING_WIDEST,
@@ -73,10 +78,32 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
         anywhere = _from_all_over(full, T)
         more = anywhere[~_is_told(plan, found, anywhere)]
         found = looked_at(plan, T, np.concatenate([known, more]), most=most) if len(more) else found
-    elif own and len(rows) == len(found.q) == plan.max_solutions:
+    elif own and len(rows) == len(found.q) == plan.max_solutions and not _merged(plan, found.q):
         # rounding may leave open whether a root is two that both are rows: of as many as there can be each is one
         found = replace(found, multiplicity=np.ones(len(rows), np.int64))
     return (found if own else _own(plan, T, found)).within(plan.max_solutions)
+
+
+def _merged(plan: Plan, rows: Array) -> bool:
+    """Whether any of rows (m, n) is singular to rounding: a simple root beside another is so to half the digits.
+
+    Of as many rows as there can be that is none: they are points of a curve.
+    """
+    s = singular_values(plan.chain, rows)
+    return bool(np.any(s[:, -1] < SINGULAR_TO_ROUNDING * s[:, 0]))
+
+
+def left_open(plan: Plan, T: Array) -> bool:
+    """Whether a pose without solutions may have one all the same, beside a posture where two directions are free.
+
+    Newton's method stalls there, and descents come no nearer to the pose than rounding of the squares lets them. Where
+    the posture has four parallel axes it was solved for in closed form.
+    """
+    full = plan.exact.full
+    q, _ = nearer(full, sample_joints(full, ALL_OVER), T, np.tile(FREE, (full.n, 1)), np.ones(ALL_OVER), SLOW_STEPS)
+    q = q[missed(full, q, T) < NEARLY_HELD * size_of(full, T)]
+    q = q[~about_four_parallel(full, q)]
+    return bool(np.any(second_smallest(full, q) < CROSSING_FOUND)) if len(q) else False
 
 
 def _from_all_over(full: Chain, T: Array) -> Array:
@@ -254,6 +281,8 @@ def settled(plan: Plan, T: Array, found: Examined, flag: int) -> int:
     if not plan.whole:
         every = not found.self_motions and found.multiplicity.sum() == plan.count.most < plan.max_solutions
         return flag & ~int(Flag.UNCERTAIN) if every else flag
+    if not len(found.q) and plan.direct and named(plan.family).eliminating and left_open(plan, T):
+        return flag | int(Flag.UNCERTAIN)
     if plan.direct and not found.self_motions and found.multiplicity.sum() > plan.max_solutions:
         return flag | int(Flag.UNCERTAIN)
     # Newton's method leads back to a root of more than two branches as near as rounding parts them, and no nearer

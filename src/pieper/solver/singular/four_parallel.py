@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pieper.kinematics.arrays import Array
+from pieper.kinematics.arrays import Array, Bools
 from pieper.kinematics.chain import Chain
 from pieper.kinematics.joints import TURN, short_way
 from pieper.kinematics.newton import missed, newton, size_of
@@ -115,6 +115,14 @@ def linkages(
             motions += [LinkageMotion(chain, T, limits, names, shown, through, one) for one in pieces]
     found = np.array(stuck).reshape(-1, chain.n)
     return motions, found[chain.joints.distinct(found, LINKAGE_STARTS)]
+
+
+def about_four_parallel(chain: Chain, q: Array) -> Bools:
+    """Return which joint vectors (k, n) stand about where four axes are parallel (k,)."""
+    found = np.zeros(len(q), bool)
+    for at in four_parallel(chain):
+        found |= np.abs(short_way(q[:, at.joint] - at.value)) < BLURRED_TO
+    return found
 
 
 def elsewhere(chain: Chain, q: Array, T: Array, stuck: Array) -> Array:
