@@ -84,11 +84,15 @@ class FromAside {
     if (!explained && !all_over(T, known, curves, out)) return false;
     for (const Known& one : known)
       if (one.several && !on_motion(one, out)) return false;
+    const std::vector<bool> again = followed_again(out.curves);
     // there are no more solutions than slots: where rounding lets more be told, it blurs by more than was thought
     for (double wide = 1; wide < kMostWide; wide *= 2) {
       out.rows.clear();
-      tell(T, known, curves, wide, out);
-      if (static_cast<int>(out.rows.size()) <= most_) return true;
+      tell(T, known, curves, wide, again, out);
+      if (static_cast<int>(out.rows.size()) > most_) continue;
+      std::size_t k = 0;
+      std::erase_if(out.curves, [&](const NearCurve&) { return again[k++]; });
+      return true;
     }
     return false;
   }
@@ -108,6 +112,21 @@ class FromAside {
     for (const NearCurve& motion : out.curves)
       if (motion.holds(arm_, one.q, kDoublesFromCurve)) return true;
     return false;
+  }
+
+  // Which curves are earlier ones, followed again from a row at a bend: where two directions are nearly free a curve turns more sharply
+  // than its pieces, and a row there is not seen to lie on it. Everywhere else it is.
+  std::vector<bool> followed_again(const std::vector<NearCurve>& curves) const {
+    constexpr int kAsked = 9;
+    std::vector<bool> again(curves.size());
+    for (std::size_t k = 1; k < curves.size(); ++k)
+      for (std::size_t m = 0; m < k && !again[k]; ++m) {
+        int held = 0;
+        for (int i = 0; i < kAsked; ++i)
+          held += curves[m].holds(arm_, curves[k].points[i * curves[k].pieces() / kAsked].q, kDoublesFromCurve);
+        again[k] = !again[m] && 2 * held > kAsked;
+      }
+    return again;
   }
 
   // Whether a row lies on one of the curves, and another, if there is one, on the same.
@@ -286,7 +305,7 @@ class FromAside {
   }
 
   void tell(const Rigid& T, const std::vector<Known>& known, const std::vector<NearCurve>& curves, double wide,
-            Read& out) const {
+            const std::vector<bool>& again, Read& out) const {
     std::vector<Root> merged;
     std::vector<const Known*> isolated, left;
     for (const Known& one : known) {
@@ -314,10 +333,12 @@ class FromAside {
     });
     all_into_limits(arm_, T, limits_, merged);
     for (const Root& root : merged) out.add(arm_, root.q, root.branches, -1, true);
+    int motion = 0;
     for (std::size_t k = 0; k < out.curves.size(); ++k) {
+      if (again[k]) continue;
       double q[6];
       out.curves[k].representative(arm_, T, limits_, q);
-      out.add(arm_, q, 1, static_cast<int>(k), true);
+      out.add(arm_, q, 1, motion++, true);
     }
     out.in_order(arm_);
   }

@@ -39,7 +39,7 @@ def test_no_random_pose_of_the_catalogue_is_uncertain_or_lacks_its_posture():
 
 def test_where_the_elimination_is_weak_poses_beside_vouch():
     arm = free(GENERAL)
-    T = arm.fk(made(arm, 4000, 9))
+    T = arm.fk(made(arm, 20000, 9))
     weak = np.flatnonzero(arm.plan.solver.many(T, 1)[3] & Flag.UNCERTAIN)
     assert len(weak) > 2
     many = arm.ik_many(T[weak], threads=1)
