@@ -79,6 +79,18 @@ def test_a_straight_wrist_brings_four_axes_parallel() -> None:
     assert four_parallel(across.plan.chain) == ()
 
 
+@pytest.mark.parametrize(("off", "turned"), [(1e-6, 1e-3), (1e-7, 1e-3), (1e-8, 3e-3), (1e-8, 1e-2), (1e-9, 1e-2)])
+def test_a_linkage_that_hardly_moves_is_told_alone(off: float, turned: float) -> None:
+    arm = _scara(0.0, off)
+    rng = np.random.default_rng(1)
+    for _ in range(6):
+        q = rng.uniform(-1, 1, 6) * [1, 0, 0.1, 0, 0, 1] + [0, 0, 0, turned, 0, 0]
+        found = arm.ik(arm.fk(q))
+        (motion,) = found.self_motions
+        assert len(found.q) == 1
+        assert motion.contains(q)
+
+
 @pytest.mark.parametrize("off", [1e-5, 1e-6])
 def test_out_of_reach_of_a_stretched_linkage_is_said(off: float) -> None:
     arm = _scara(0.0, off)

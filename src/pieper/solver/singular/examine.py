@@ -120,7 +120,7 @@ def examine(
     regular, singular = _split(chain, candidates)
     # kernels stop where Newton's method is slow: the last digits of a merged root are fetched here
     singular = newton(chain, singular, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
-    singular = four_parallel.elsewhere(chain, singular, T, stuck)
+    singular = four_parallel.elsewhere(chain, singular, T, moving, stuck)
     pulled = newton(chain, aside, T, steps=30, cutoff=SLOW_RANK)
     near_regular, near_singular = _split(chain, pulled[missed(chain, pulled, T) < HOLDS])
     flat = aside[:0]
@@ -128,14 +128,14 @@ def examine(
         found = near_curve.onto(chain, aside, T, 6)
         flat = found.q[(found.sigma < NEARLY_SINGULAR) & (np.abs(found.miss) < CURVE_FAR) & (found.rest < FLAT_REST)]
     # the kernel's own rows are points of the pose itself; side steps only lead to curves and to what it overlooked
-    beside = four_parallel.elsewhere(chain, np.concatenate([near_singular, flat]), T, stuck)
+    beside = four_parallel.elsewhere(chain, np.concatenate([near_singular, flat]), T, moving, stuck)
     starts = np.concatenate([singular, _distinct(chain, beside, APART_SINGULAR)])
     starts = np.array([drawn_in(chain, q, T) for q in starts]).reshape(-1, chain.n)
     doubles, hidden = _followed(curves, starts, len(singular))
     extra = np.array([*hidden, *near_singular]).reshape(-1, chain.n)
     extra = newton(chain, extra, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
     extra = extra[missed(chain, extra, T) < HOLDS_EXACTLY * size_of(chain, T)]
-    hidden_regular, hidden_singular = _split(chain, four_parallel.elsewhere(chain, extra, T, stuck))
+    hidden_regular, hidden_singular = _split(chain, four_parallel.elsewhere(chain, extra, T, moving, stuck))
     isolated = _distinct(chain, np.concatenate([regular, near_regular, hidden_regular]), SAME_SOLUTION)
     isolated = [q for q in isolated if not curves.meet(q, ISOLATED_FROM_CURVE)]
     doubles = [q for q in doubles if not curves.meet(q, DOUBLES_FROM_CURVE)]

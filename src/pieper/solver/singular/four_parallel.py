@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,6 +23,7 @@ from pieper.tolerances import (
     LOOP_TOUCHES,
     ON_POLYLINE,
     PRECISE_RANK,
+    SAME_ROW,
     TINY,
 )
 
@@ -105,10 +107,17 @@ def linkages(
     motions: list[SelfMotion] = []
     stuck: list[Array] = []
     for at in four_parallel(chain):
+        others = np.setdiff1d(np.arange(chain.n), at.four)
+        told: list[Array] = []
         for through in _postures(chain, at, T, near):
+            # the joints that stand still leave one linkage, and all its pieces are told at once
+            still = np.where(np.isin(np.arange(chain.n), others), through, 0.0)
+            if any(chain.joints.apart(still, other) < SAME_ROW for other in told):
+                continue
             if any(motion.distance(through) < ON_POLYLINE for motion in motions):
                 continue
             pieces = _pieces(chain, at, through)
+            told.append(still)
             if pieces is None:
                 stuck.append(through)
                 continue
@@ -125,25 +134,33 @@ def about_four_parallel(chain: Chain, q: Array) -> Bools:
     return found
 
 
-def elsewhere(chain: Chain, q: Array, T: Array, stuck: Array) -> Array:
-    """Return singular rows q (k, n) without those about postures (m, n) where a linkage cannot move.
+def elsewhere(chain: Chain, q: Array, T: Array, moving: Sequence[SelfMotion], stuck: Array) -> Array:
+    """Return singular rows q (k, n) without what only nearly holds the pose about a linkage.
 
-    Its shortest link may be turned there and the pose is nearly held: of a link of 1e-9 m no row tells where it stands.
+    Its shortest link may be turned where it cannot move (m, n), or beyond where its curve turns back, and the pose is
+    nearly held: of a link of 1e-9 m no row tells where it stands.
     """
-    if not (len(q) and len(stuck)):
+    if not len(q) or not (moving or len(stuck)):
         return q
-    exact = missed(chain, q, T) < HOLDS_EXACTLY * size_of(chain, T)
-    return q[exact & (chain.joints.apart(q[:, None], stuck[None]).min(1) > BLURRED_TO)]
+    about = np.full(len(q), len(stuck) > 0)
+    for motion in moving:
+        about |= motion.distances(q) < BLURRED_TO
+    keep = ~about | (missed(chain, q, T) < HOLDS_EXACTLY * size_of(chain, T))
+    if len(stuck):
+        keep &= chain.joints.apart(q[:, None], stuck[None]).min(1) > BLURRED_TO
+    return q[keep]
 
 
 def _postures(chain: Chain, at: Parallel, T: Array, near: Array) -> Array:
-    """Return postures (k, n) with four parallel axes that hold a pose, from joint vectors (m, n)."""
+    """Return postures (k, n) with four parallel axes that hold a pose, from joint vectors (m, n), the best first."""
     held = chain.locked(at.joint, at.value)
     q = newton(held, np.delete(near, at.joint, axis=1), T, steps=STEPS, cutoff=PRECISE_RANK)
     q = np.insert(q, at.joint, at.value, axis=1)
     q = q[missed(chain, q, T) < LINKAGE_STARTS]
     q = np.array([*q, *(_closed(chain, at, one, T) for one in q)]).reshape(-1, chain.n)
-    return q[missed(chain, q, T) < HOLDS_EXACTLY * size_of(chain, T)]
+    miss = missed(chain, q, T)
+    q = q[np.argsort(miss, kind="stable")]
+    return q[: int(np.count_nonzero(miss < HOLDS_EXACTLY * size_of(chain, T)))]
 
 
 def _pieces(chain: Chain, at: Parallel, q: Array) -> list[tuple[Any, ...]] | None:
