@@ -91,7 +91,9 @@ def self_motions_of(
     if one_free(full):
         seeds = _regular_first(full, _onto(full, T, np.concatenate([seeds, rows]) if len(rows.T) == full.n else seeds))
     motions: list[SelfMotion] = []
-    for point, way in (*coaxial.lines(plan, T, one), *coaxial.lines_through(full, T, seeds)):
+    # of several joints to spare all is one surface, on which a line is as good as another
+    through = coaxial.lines_through(full, T, seeds) if spare == 1 else []
+    for point, way in (*coaxial.lines(plan, T, one), *through):
         if not any(_is_same(other, point, way) for other in motions):
             line = _once_round(plan, T, point, way)
             motions.append(_across(line, seeds) if line.dimension > 1 else line)
