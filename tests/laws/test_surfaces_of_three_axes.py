@@ -56,3 +56,13 @@ def test_what_holds_the_pose_is_told_as_one_surface(name, second, third, digits)
         assert np.abs(sols.nearest(on) - on).max() < 1e-6
     many = arm.ik_many(T[None])
     assert many.status[0] == sols.status and many.count[0] == len(sols.all_q)
+
+
+def test_axes_through_one_point_are_one_surface():
+    """Seven axes through one point: all that holds a pose is a surface, on which no two axes lie in one line."""
+    twists = [-np.pi / 2, -np.pi / 2, 2.8037, np.pi / 2, np.pi / 2, -0.4959, np.pi / 2]
+    rows = [pieper.DH(alpha=twist, d=0.489 * (i == 0), a=0.09 * (i == 6)) for i, twist in enumerate(twists)]
+    arm = pieper.Arm.from_dh(rows, convention="standard", limits=[(-3, 3)] * 7)
+    q = np.random.default_rng(15).uniform(-2, 2, 7)
+    motions = arm.ik(arm.fk(q)).self_motions
+    assert len(motions) == 1 and motions[0].dimension == 4 and motions[0].contains(q, 1e-6)

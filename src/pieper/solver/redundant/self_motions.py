@@ -162,6 +162,8 @@ def _across(line: SelfMotion, seeds: Array) -> SelfMotion:
     moved, inside = chain.joints.inside_limits(points[there], line.limits)
     start = moved[inside][0] if inside.any() else line.samples[0]
     plane = coaxial.plane(chain, start)
+    if not len(plane):
+        return line  # no two axes lie in one line: the surface is of another kind
     way = SURFACE_WAY ** np.arange(len(plane)) @ plane
     way /= np.linalg.norm(way)
     return trace(chain, start, line.T, line.limits, line.names, way, shown=line.shown, most_steps=LINE_STEPS)
