@@ -85,10 +85,12 @@ def every_solution(plan: Plan, T: Array, rows: Array) -> Examined:
 
 
 def _merged(plan: Plan, rows: Array) -> bool:
-    """Whether any of rows (m, n) is singular to rounding: a simple root beside another is so to half the digits.
+    """Whether an elimination gave rows (m, n) of which one is singular to rounding: a simple one is to half the digits.
 
-    Of as many rows as there can be that is none: they are points of a curve.
+    Of as many rows as there can be none is merged: they are points of a curve. Closed forms tell roots apart there.
     """
+    if not named(plan.family).eliminating:
+        return False
     s = singular_values(plan.chain, rows)
     return bool(np.any(s[:, -1] < SINGULAR_TO_ROUNDING * s[:, 0]))
 
