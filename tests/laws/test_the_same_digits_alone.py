@@ -67,7 +67,8 @@ def hold(name, count):
                 for k in range(len(many)):
                     the_same(alone[first + k], many, k)
         order = rng.permutation(len(T))
-        near = np.linspace(3.0, 2.1, arm.n)  # no two postures that differ by halves of a turn are as near
+        # no two postures that differ by quarters of a turn are as near: what is in one sum is in no other
+        near = 2.1 + np.sqrt([2.0, 3.0, 5.0, 7.0, 11.0, 13.0])[: arm.n] % 1
         many = arm.ik_many(T[order], threads=2, near=near)
         for k, i in enumerate(order):
             the_same(alone[i], many, k)
