@@ -97,8 +97,8 @@ class PyCarefulLook {
     return nb::make_tuple(q, inside, static_cast<int>(found.flag), singular, branches, motion, motions);
   }
 
-  // Looks at the poses that index (K,) names, whose rows and flags are given, and writes what there is; returns (K,) 0 where that could not be read off, else 1, and 2
-  // where a self-motion was found.
+  // Looks at the poses that index (K,) names, whose rows and flags are given, and writes what there is; returns (K,) 0 where that
+  // could not be read off, else 1, and 2 where a self-motion was found.
   nb::object into(nb::handle given, nb::handle which, nb::handle q, nb::handle valid, nb::handle inside,
                   nb::handle flags) const {
     nb::object poses = poses_in(given), index = nb::steal(PyArray_FROM_OTF(which.ptr(), NPY_INT64, NPY_ARRAY_IN_ARRAY));

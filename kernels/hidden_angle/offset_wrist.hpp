@@ -38,9 +38,8 @@ struct OffsetWrist : HiddenAngle {
   double tilt_c, tilt_s;                    // of axis 4 out of the plane
   double bend;                              // cosine of the angle of axes 4 and 5
   double sense3;                            // -1 where axis 3 points against axis 2
-  Vector axis4, across4,
-      over4;              // axis 4; what of axis 5 lies across it, over its length squared; axis 4 crossed with that
-  Vector across5, over5;  // the same of axis 6 and axis 5
+  // axis 4; what of axis 5 lies across it, over its length squared; axis 4 crossed with that; the same of axis 6 and axis 5
+  Vector axis4, across4, over4, across5, over5;
 
   template <class Self, class Visit> static void fields(Self& self, Visit visit) {
     HiddenAngle::fields(self, visit);
@@ -217,9 +216,8 @@ template <class F> PIEPER_INLINE Triangle<F> triangle_of(const Arm& arm, const C
 template <class F> struct Settled {
   Motion<F> theta;
   Seen<F> seen;
-  OnSide<F>
-      now;  // on the side of the root; where nothing tells them apart on the one, of which the other is the mirror image
-  F sign;   // which shape of the triangle
+  OnSide<F> now;  // on the root's side; of sides that are alike on one, of which the other is the mirror image
+  F sign;         // which shape of the triangle
   Mask<F> unclear;
 };
 

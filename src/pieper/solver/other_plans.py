@@ -34,11 +34,10 @@ def one_by_other_plan(
     plan: Plan, T: Array, flag: int, solve: Callable[[Plan, Array], Solutions]
 ) -> tuple[Solutions, ...]:
     """Return what there is at a marked pose (4, 4), or one without rows, by another plan; nothing where it has none."""
-    other = None
-    if flag & _UNCERTAIN:
+    far = goes_far(plan) and not _clearly_near(plan, T)
+    other = _seen_from(plan, float(_decades(plan, T[None])[0])) if far else None
+    if other is None and flag & _UNCERTAIN:
         other = plan.described
-    if goes_far(plan) and not _clearly_near(plan, T):
-        other = _seen_from(plan, float(_decades(plan, T[None])[0]))
     return () if other is None else (solve(other, T).told_by(plan),)
 
 
@@ -64,18 +63,18 @@ def rows_by_other_plans(
 
 
 def _others(plan: Plan, poses: Array, rows: Rows) -> Iterator[tuple[Plan, Indices]]:
-    """Yield the other plans that poses are solved by, and which these are."""
-    uncertain = np.flatnonzero((rows.flags & _UNCERTAIN) > 0) if plan.snapped else np.zeros(0, np.int64)
-    if len(uncertain) and plan.described is not None:
-        yield plan.described, uncertain
-    if not goes_far(plan):
-        return
-    asked = np.flatnonzero(((rows.flags & DOUBTS) > 0) | ~rows.valid.any(1))
-    decades = _decades(plan, poses[asked])
-    for decade in np.unique(decades[decades > 0]).tolist():
-        other = _seen_from(plan, decade)
-        if other is not None:
-            yield other, asked[decades == decade]
+    """Yield the other plans that poses are solved by, and which these are: no pose twice."""
+    uncertain = (rows.flags & _UNCERTAIN) > 0 if plan.snapped else np.zeros(len(poses), bool)
+    if goes_far(plan):
+        asked = np.flatnonzero(((rows.flags & DOUBTS) > 0) | ~rows.valid.any(1))
+        decades = _decades(plan, poses[asked])
+        for decade in np.unique(decades[decades > 0]).tolist():
+            index, other = asked[decades == decade], _seen_from(plan, decade)
+            if other is not None:
+                uncertain[index] = False
+                yield other, index
+    if uncertain.any() and plan.described is not None:
+        yield plan.described, np.flatnonzero(uncertain)
 
 
 def goes_far(plan: Plan) -> bool:

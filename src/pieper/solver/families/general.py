@@ -53,10 +53,9 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
         The spec. Its `info` holds `usable` (number of ways left), `certified` (False where every way vanishes for
         this geometry and a slightly changed arm is solved instead, its solutions polished onto this one: poses are
         then flagged uncertain; or where the best way is noisier than can be believed and does not tell all the same
-        how many solutions poses have), `hidden_joint` (1-based, of
-        the best way), `direction`, `noise` (of the best way, relative; 1e-16 is perfect), `ways` (a tuple of dicts:
-        rank, hidden joint, direction, missed test solutions, noise), `max_solutions` (what the degree allows) and
-        `scale` (m).
+        how many solutions poses have), `hidden_joint` (1-based, of the best way), `direction`, `noise` (of the best
+        way, relative; 1e-16 is perfect), `ways` (a tuple of dicts: rank, hidden joint, direction, missed test
+        solutions, noise), `max_solutions` (what the degree allows) and `scale` (m).
 
     Raises:
         PlanError: No way of elimination is of use; the message says why, as far as it is known.
@@ -65,7 +64,9 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
     links, scale = slid(chain)
     geometry = _kernel.General(links=links, slides=tuple(chain.prismatic.tolist()), scale=scale)
     ways = _ways(geometry.trials)
-    if geometry.usable == 0 or not (full_rank(chain) or (nearly_full_rank(chain) and _proves(chain, geometry))):
+    whole = full_rank(chain)
+    proven = geometry.usable > 0 and not whole and nearly_full_rank(chain) and _proves(chain, geometry)
+    if geometry.usable == 0 or not (whole or proven):
         found = match.geometry if match is not None else look(chain, GEOMETRY_EXACT)
         reason, cure = _reason(chain, slides)
         raise PlanError(f"{reason} {cure}", geometry=found, ways=ways, reason=reason)
@@ -79,7 +80,8 @@ def prepare(chain: Chain, match: Match | None = None) -> KernelSpec:
         best = {"hidden_joint": None, "direction": "a nearby arm's solutions, polished", "noise": 1.0}
     info: dict[str, Any] = {
         "usable": geometry.usable,
-        "certified": slides == 3 or (bool(exact) and (best["noise"] < BELIEVED_NOISE or _proves(chain, geometry))),
+        "certified": slides == 3
+        or (bool(exact) and (best["noise"] < BELIEVED_NOISE or proven or _proves(chain, geometry))),
         "hidden_joint": best["hidden_joint"],
         "direction": best["direction"],
         "noise": best["noise"],

@@ -36,8 +36,8 @@ class Choice:
         angles: (N,) arm angles, rad, where these were asked for, and of what.
         angle: The arm angle they are values of.
         free: Whether nobody chose: any value will do that has an answer.
-        named: Which coordinates (0-based, of the plan's redundant ones) were chosen where others were not: of those any
-            value will do.
+        named: Which coordinates (0-based, of the plan's redundant ones) were chosen where others were left open, of
+            which any value will do; else none.
     """
 
     plan: Plan

@@ -102,15 +102,20 @@ def left_open(plan: Plan, T: Array) -> bool:
     the posture has four parallel axes it was solved for in closed form.
     """
     full = plan.exact.full
-    q, _ = nearer(full, sample_joints(full, ALL_OVER), T, np.tile(FREE, (full.n, 1)), np.ones(ALL_OVER), SLOW_STEPS)
+    q, _ = _descended(full, T)
     q = q[missed(full, q, T) < NEARLY_HELD * size_of(full, T)]
     q = q[~about_four_parallel(full, q)]
     return bool(np.any(second_smallest(full, q) < CROSSING_FOUND)) if len(q) else False
 
 
+def _descended(full: Chain, T: Array) -> tuple[Array, Array]:
+    """Return where descents to T from postures all over the joints' ranges end (m, joints), and what is left (m,)."""
+    return nearer(full, sample_joints(full, ALL_OVER), T, np.tile(FREE, (full.n, 1)), np.ones(ALL_OVER), SLOW_STEPS)
+
+
 def _from_all_over(full: Chain, T: Array) -> Array:
     """Return joint vectors (m, joints) that hold T, from postures all over the joints' ranges."""
-    q, left = nearer(full, sample_joints(full, ALL_OVER), T, np.tile(FREE, (full.n, 1)), np.ones(ALL_OVER), SLOW_STEPS)
+    q, left = _descended(full, T)
     q = q[left < NEAR_INSIDE**2]
     q = newton(full, q, T, steps=SLOW_STEPS, cutoff=PRECISE_RANK)
     # next to a self-motion whole curves nearly hold the pose: what no kernel gave must hold it to rounding
