@@ -61,9 +61,9 @@ def test_nothing_of_what_stood_there_is_seen(arm, poses):
     far = poses.copy()
     far[::3, :3, 3] *= 50  # no solutions: zeros
     small = arm.ik_many(far[:300])
-    room = large_rooms.large_room(COUNT * 48 + 8)
+    room = large_rooms.large_room(COUNT * 8 * 48 + 64)
     at = place(room)
-    room[:] = np.nan
+    room.view(float)[:] = np.nan
     del room
     found = arm.ik_many(far)
     assert at <= place(found.q) < at + large_rooms.PAGE
@@ -72,31 +72,42 @@ def test_nothing_of_what_stood_there_is_seen(arm, poses):
     assert np.array_equal(found.q[:300], small.q)
 
 
-def test_one_room_is_kept_and_none_that_is_too_large():
+def test_some_rooms_are_kept_and_none_that_is_too_large():
     def kept():
         return [len(room) for room in large_rooms._kept]
 
-    rooms = [large_rooms.large_room(1 << 20) for _ in range(3)]
+    whole = (40 << 20) + large_rooms.PAGE
+    rooms = [large_rooms.large_room(40 << 20) for _ in range(5)]
     assert not kept()
     del rooms
-    assert kept() == [(8 << 20) + large_rooms.PAGE]
-    large = large_rooms.large_room((large_rooms.MOST_KEPT >> 3) + 1)
-    assert not kept()  # the smaller one did not fit, and went
+    assert kept() == [whole] * (large_rooms.MOST_KEPT // whole)
+    large = large_rooms.large_room(large_rooms.MOST_KEPT + 1)
     del large
-    assert not kept()
-    del (again := [large_rooms.large_room(1 << 20)])[:]
-    assert kept()
-    assert not again
+    assert kept() == [whole] * (large_rooms.MOST_KEPT // whole)
     large_rooms.let_go()
     assert not kept()
-    assert large_rooms.large_room(1000).flags.owndata  # small ones are NumPy's own
+    small = [large_rooms.large_room(large_rooms.LARGE) for _ in range(large_rooms.MOST_ROOMS + 3)]
+    del small
+    assert len(kept()) == large_rooms.MOST_ROOMS
+    assert large_rooms.large_room(1000).flags.owndata  # what is smaller is NumPy's own
 
 
 def test_a_room_much_too_large_is_not_taken():
-    large = large_rooms.large_room(8 << 20)
+    large = large_rooms.large_room(64 << 20)
     at = place(large)
     del large
-    assert place(large_rooms.large_room(1 << 20)) != at
+    assert place(large_rooms.large_room(8 << 20)) != at
+
+
+def test_none_of_an_answers_arrays_meets_fresh_memory_again(arm, poses):
+    many = [poses[:k] for k in (COUNT, COUNT - 100, COUNT)]
+    names = ("q", "valid", "in_limits")
+    first = {name: place(getattr(arm.ik_many(many[0]), name)) for name in names}
+    places = set(first.values())
+    for T in many:
+        found = arm.ik_many(T)
+        assert {place(getattr(found, name)) for name in names} == places
+        del found
 
 
 def test_copies_and_pickles_stand_alone(arm, poses):

@@ -220,8 +220,8 @@ def arrays_of(plan: Plan, out: object, count: int, slots: int, near: Near | None
     shape = (count, slots, plan.n)
     chosen = None
     if out is None:
-        rows = Rows(_on_lines(shape), np.empty(shape[:2], bool), np.empty(shape[:2], bool), np.empty(count, np.uint8))
-        status = np.empty(count, np.uint8)
+        valid, inside = (large_room(math.prod(shape[:2])).view(np.bool_).reshape(shape[:2]) for _ in range(2))
+        rows, status = Rows(_on_lines(shape), valid, inside, large_room(count)), large_room(count)
     else:
         if not isinstance(out, SolutionBatch):
             raise InputError(
@@ -245,10 +245,10 @@ def arrays_of(plan: Plan, out: object, count: int, slots: int, near: Near | None
 
 def _on_lines(shape: tuple[int, ...]) -> Array:
     """Return a new array that begins with a line of the cache, so that the kernels write whole lines of it."""
-    size = math.prod(shape)
-    room = large_room(size + _LINE // 8)
-    first = -room.ctypes.data % _LINE // 8
-    return room[first : first + size].reshape(shape)
+    size = 8 * math.prod(shape)
+    room = large_room(size + _LINE)
+    first = -room.ctypes.data % _LINE
+    return room[first : first + size].view(np.float64).reshape(shape)
 
 
 def _writable(array: npt.NDArray[np.generic], name: str, shape: tuple[int, ...], kind: type[np.generic]) -> None:
