@@ -1,8 +1,8 @@
 """Room for large answers: what the last ones left behind is kept for the next, until the system wants it.
 
 The system clears fresh memory before it hands it out, which takes half as long as solving the poses whose answers go
-there. So rooms of arrays that nobody holds any more are kept, a few of them, and told to the system as free
-(MADV_FREE): it takes the pages when memory gets short, and until then the next answer finds them in place.
+there. So rooms of arrays that nobody holds any more are kept, a few of them. Those made of huge pages are told to the
+system as free (MADV_FREE): it takes them when memory gets short, and until then the next answer finds them in place.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 #: Bytes from which on a room is kept, and from which on it begins with a page of the larger size, so that whole such
 #: pages may serve it.
-LARGE, HUGE, PAGE = 64 << 10, 4 << 20, 2 << 20
+LARGE, HUGE, PAGE = 512 << 10, 4 << 20, 2 << 20
 #: Bytes and rooms that are kept at most, and how many times larger than what is asked for a room may be.
 MOST_KEPT, MOST_ROOMS, ROOMIER = 128 << 20, 16, 2
 #: Elsewhere NumPy's own arrays serve.
@@ -41,10 +41,11 @@ class _Lease:
     def __del__(self) -> None:
         if len(self.room) > MOST_KEPT:
             return
-        try:
-            self.room.madvise(mmap.MADV_FREE)
-        except OSError:
-            return  # a system that knows no such advice would be left without the memory
+        if len(self.room) >= HUGE:  # of many small pages the advice costs as much as fresh ones
+            try:
+                self.room.madvise(mmap.MADV_FREE)
+            except OSError:
+                return  # a system that knows no such advice would be left without the memory
         _kept.append(self.room)
         with suppress(IndexError):  # another thread took it
             while len(_kept) > MOST_ROOMS or sum(map(len, list(_kept))) > MOST_KEPT:
